@@ -1,0 +1,27 @@
+// counters.h - what happened while tracing, counted per thread and added up
+// at the end; --stats shows it.
+
+#ifndef COUNTERS_H
+#define COUNTERS_H
+
+#include <stdint.h>
+
+struct counters
+{
+  uint64_t eye, reflection, refraction, feeler; // rays by kind
+  uint64_t tests;       // times an object was asked for its hits
+  uint64_t escapes;     // rays that left a closed object through an edge
+};
+
+static inline void
+counters_add(struct counters *sum, const struct counters *c)
+{
+  sum->eye += c->eye;
+  sum->reflection += c->reflection;
+  sum->refraction += c->refraction;
+  sum->feeler += c->feeler;
+  sum->tests += c->tests;
+  sum->escapes += c->escapes;
+}
+
+#endif

@@ -1,0 +1,93 @@
+// k_polygon_hit.h - point in polygon. Notes, "bounded planes": the two
+// methods of the notes (edges, angles), and the one that is watertight
+// (crossings). The vertices are three arrays of n numbers.
+
+#ifndef K_POLYGON_HIT_H
+#define K_POLYGON_HIT_H
+
+#include "k_shear.h"
+
+/** Crossings: how often the line from the ray to infinity along +x crosses
+    the outline, seen along the ray; odd is inside. Any polygon, convex or
+    not.
+
+    An edge counts when its ends lie on different sides of the ray's y (on it
+    counts as above), and then by the sign of one 2 x 2 determinant, taken
+    from the lower end to the upper. Both are the same bits for both polygons
+    of a shared edge, whichever way round they go, so a ray hits exactly one
+    of them. */
+static inline int
+k_polygon_crossings(struct k_vec o, const struct k_shear *shear, unsigned n,
+                    const double *const vertex[3])
+{
+  const double *vx = vertex[shear->kx];
+  const double *vy = vertex[shear->ky];
+  const double *vz = vertex[shear->kz];
+  double ox = k_component(o, shear->kx);
+  double oy = k_component(o, shear->ky);
+  double oz = k_component(o, shear->kz);
+  double wz = vz[n - 1] - oz;
+  double X0 = (vx[n - 1] - ox) - shear->Sx * wz;
+  double Y0 = (vy[n - 1] - oy) - shear->Sy * wz;
+  int is_inside = 0;
+
+  for (unsigned i = 0; i < n; i++)
+    {
+      wz = vz[i] - oz;
+      double X1 = (vx[i] - ox) - shear->Sx * wz;
+      double Y1 = (vy[i] - oy) - shear->Sy * wz;
+      int above0 = Y0 >= 0;
+      int above1 = Y1 >= 0;
+      if (above0 != above1)
+        {
+          int crosses = above1 ? X0 * Y1 - Y0 * X1 > 0
+                               : X1 * Y0 - Y1 * X0 > 0;
+          is_inside ^= crosses;
+        }
+      X0 = X1;
+      Y0 = Y1;
+    }
+  return is_inside;
+}
+
+/** Edges: P is inside when it is on the inner side of every edge, that is of
+    the plane through the edge with normal N x edge. Convex polygons only. */
+static inline int
+k_polygon_edges(struct k_vec P, struct k_vec N, unsigned n,
+                const double *const v[3])
+{
+  struct k_vec a = k_vec(v[0][n - 1], v[1][n - 1], v[2][n - 1]);
+
+  for (unsigned i = 0; i < n; i++)
+    {
+      struct k_vec b = k_vec(v[0][i], v[1][i], v[2][i]);
+      if (k_dot(k_cross(N, k_sub(b, a)), k_sub(P, a)) < 0)
+        {
+          return 0;
+        }
+      a = b;
+    }
+  return 1;
+}
+
+/** Angles: the angles under which P sees the edges, with their signs, sum to
+    +-2 pi inside and to 0 outside. (Without signs, as in the notes, the sum is
+    wrong for polygons that are not convex.) The only use of libm while
+    tracing: atan2. */
+static inline int
+k_polygon_angles(struct k_vec P, struct k_vec N, unsigned n,
+                 const double *const v[3])
+{
+  struct k_vec a = k_sub(k_vec(v[0][n - 1], v[1][n - 1], v[2][n - 1]), P);
+  double sum = 0;
+
+  for (unsigned i = 0; i < n; i++)
+    {
+      struct k_vec b = k_sub(k_vec(v[0][i], v[1][i], v[2][i]), P);
+      sum += atan2(k_dot(N, k_cross(a, b)), k_dot(a, b));
+      a = b;
+    }
+  return fabs(sum) > M_PI;
+}
+
+#endif

@@ -1,0 +1,57 @@
+// model_t.h - all that a model file describes: the camera, the lights, the
+// materials and the objects; and the search for the object a ray hits first.
+
+#import <Foundation/Foundation.h>
+#import "object_t.h"
+#import "media_t.h"
+
+@class camera_t, light_t, diag_t;
+
+/** How a polygon finds out whether a point is in it. */
+enum polygon_test
+{
+  POLYGON_CROSSINGS,    // watertight; the default
+  POLYGON_EDGES,        // the notes' first method; convex polygons only
+  POLYGON_ANGLES        // the notes' second method
+};
+
+@interface model_t : NSObject
+{
+@public
+  camera_t *camera;             // never nil once loaded
+  NSMutableArray *lights;
+  NSMutableDictionary *materials;       // by name
+  NSMutableArray *objects;      // as declared: numbers 1, 2, 3 …
+  struct k_vec background;      // colour of a ray that hits nothing
+  unsigned max_depth;           // deepest generation of rays; 5
+  enum polygon_test polygon_test;
+@protected
+  NSMutableArray *surfaces;     // what find_closest: asks: see replace:by:
+  struct surface *table;        // the same for speed, see model_t.m
+  unsigned surface_count;
+  NSMutableArray *clear;        // objects a ray can be inside of
+}
+
+- (void) addLight: (light_t *)light;
+
+/** Adds an object and gives it its number. */
+- (void) addObject: (object_t *)object;
+
+/** To be called once when everything is added, before anything is traced:
+    every class looks at its instances once more (solids are closed, planes
+    that coincide become one). Faults go to diag. */
+- (void) complete: (diag_t *)diag;
+
+/** For complete: rays ask `whole` in place of `parts` from now on. */
+- (void) replace: (NSArray *)parts by: (object_t *)whole;
+
+/** Lets every object in the ray's way tell the ray where it is met; the
+    ray's hit is then the closest one. For a shadow feeler only opaque objects
+    count, and the first one found is enough. */
+- (void) find_closest: (ray_t *)ray;
+
+/** The media an eye ray starts in: the clear objects that contain its pos, in
+    the order in which it would leave them, the first on top. */
+- (media_t *) mediaOf: (ray_t *)ray;
+
+@end

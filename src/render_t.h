@@ -1,0 +1,48 @@
+// render_t.h - computes a picture: tiles, threads, samples. A pixel depends
+// on the model, the options and its own place only, so neither the threads
+// nor the tiles nor the crop change a bit of it.
+
+#import <Foundation/Foundation.h>
+#import "image_t.h"
+#include "counters.h"
+
+@class model_t;
+
+enum sampler
+{
+  SAMPLER_RANDOM,       // the notes' rand(), seeded
+  SAMPLER_GRID          // n x n, regular
+};
+
+struct render_options
+{
+  unsigned threads;     // at least 1
+  uint64_t seed;
+  unsigned samples;     // rays through each pixel; 1: through its point
+  enum sampler sampler;
+};
+
+@interface render_t : NSObject
+{
+@public
+  model_t *model;
+  image_t *image;
+  struct render_options options;
+  struct counters counters;     // of all threads, after run
+  volatile int *stop;           // may be set by a signal handler; or NULL
+@protected
+  unsigned tile_count, tiles_across;
+  unsigned next_tile, tiles_done;       // atomic
+}
+
+- (id) init: (model_t *)model into: (image_t *)image
+    options: (struct render_options)options;
+
+/** Computes all pixels of the image's window. NO if *stop was set before it
+    was done. */
+- (BOOL) run;
+
+/** How much is done, 0 to 1; for a progress bar on another thread. */
+- (double) done;
+
+@end
