@@ -49,7 +49,11 @@ struct surface_pixel
     float, in the colours; returns how many numbers were NaN. */
 - (NSUInteger) makeFinite;
 
-/** round(255 clamp(c, 0, 1)). */
+/** round(255 clamp(c, 0, 1)); 0 for NaN. */
 + (uint8_t) byte: (double)c;
+
+/** The colours as files of 8 bits hold them: red, green, blue of each pixel,
+    row by row from the top (autoreleased). */
+- (NSData *) bytes;
 
 @end

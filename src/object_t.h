@@ -38,6 +38,8 @@
   material_t *material; // owned by the model
   NSString *name;
   unsigned number;      // 1, 2, 3 … in the order of declaration
+  double slack;         // how far off its surface its hits may be: 2^-30 of
+                        // its size unless the class knows better
 }
 
 - (id) initWithBlock: (block_t *)block;

@@ -44,7 +44,8 @@ struct hit
   struct hit hit;       // the nearest hit so far; t infinite, object nil first
   struct k_vec inverse; // 1 / dir, per component
   struct k_shear shear; // for polygons
-  struct counters *counters;    // of the thread; not owned, never NULL
+  struct counters *counters;    // of the thread, or the ray's own
+  struct counters own_counters;
 }
 
 /** An eye ray from pos along the unit vector dir, in air. */
@@ -73,6 +74,11 @@ struct hit
 
 /** The same for an object that knows the point better than pos + t dir. */
 - (BOOL) meets: (object_t *)object at: (double)t normal: (struct k_vec)N
+         point: (struct k_vec)P;
+
+/** The same for the far side of a closed surface, or of a solid, that the ray
+    is in: it counts at t = 0 too, so that no ray is caught in a corner. */
+- (BOOL) exits: (object_t *)object at: (double)t normal: (struct k_vec)N
          point: (struct k_vec)P;
 
 /** Whether a hit at t could still count: worth computing a normal for. */

@@ -1,0 +1,71 @@
+// exr_channel.m
+
+#import "exr_channel.h"
+#include <float.h>
+#include <stddef.h>
+
+static const struct exr_channel channels[EXR_CHANNELS] =
+{
+  { "B", 0, EXR_PIXEL_FLOAT, offsetof(struct pixel, color.z) },
+  { "G", 0, EXR_PIXEL_FLOAT, offsetof(struct pixel, color.y) },
+  { "N.X", AOV_NORMAL, EXR_PIXEL_FLOAT, offsetof(struct surface_pixel, N.x) },
+  { "N.Y", AOV_NORMAL, EXR_PIXEL_FLOAT, offsetof(struct surface_pixel, N.y) },
+  { "N.Z", AOV_NORMAL, EXR_PIXEL_FLOAT, offsetof(struct surface_pixel, N.z) },
+  { "R", 0, EXR_PIXEL_FLOAT, offsetof(struct pixel, color.x) },
+  { "Z", AOV_DEPTH, EXR_PIXEL_FLOAT, offsetof(struct surface_pixel, depth) },
+  { "id", AOV_OBJECT, EXR_PIXEL_UINT,
+    offsetof(struct surface_pixel, object) }
+};
+
+static float
+float_of(double d)
+{
+  if (isnan(d))
+    {
+      return 0;
+    }
+  return d > FLT_MAX ? FLT_MAX : d < -FLT_MAX ? -FLT_MAX : (float)d;
+}
+
+unsigned
+exr_channels(const struct exr_channel *found[EXR_CHANNELS], unsigned aovs)
+{
+  unsigned count = 0;
+
+  for (unsigned c = 0; c < EXR_CHANNELS; c++)
+    {
+      if (channels[c].aov == 0 || (channels[c].aov & aovs))
+        {
+          found[count++] = &channels[c];
+        }
+    }
+  return count;
+}
+
+void
+exr_channel_fill(union exr_value *values, const struct exr_channel *channel,
+                 image_t *image, unsigned y, unsigned height)
+{
+  unsigned x = image->window.x0;
+  size_t count = (size_t)[image width] * height;
+  size_t stride = sizeof(struct pixel);
+  const char *from = (const char *)[image pixelAt: x : y];
+
+  if (channel->aov)
+    {
+      stride = sizeof(struct surface_pixel);
+      from = (const char *)[image surfaceAt: x : y];
+    }
+  from += channel->offset;
+  for (size_t i = 0; i < count; i++, from += stride)
+    {
+      if (channel->type == EXR_PIXEL_UINT)
+        {
+          values[i].whole = *(const uint32_t *)from;
+        }
+      else
+        {
+          values[i].number = float_of(*(const double *)from);
+        }
+    }
+}

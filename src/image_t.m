@@ -1,0 +1,126 @@
+// image_t.m
+
+#import "image_t.h"
+#import "errors.h"
+#include <float.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+static double
+made_finite(double c, NSUInteger *nanCount)
+{
+  if (isnan(c))
+    {
+      *nanCount += 1;
+      return 0;
+    }
+  return isinf(c) ? copysign(FLT_MAX, c) : c;
+}
+
+@implementation image_t
+
+- (id) init: (unsigned)columnCount : (unsigned)rowCount
+     window: (struct window)part
+   surfaces: (BOOL)withSurfaces
+      error: (NSError **)error
+{
+  self = [super init];
+  if (self == nil)
+    {
+      return nil;
+    }
+  NSAssert(part.x0 < part.x1 && part.x1 <= columnCount
+           && part.y0 < part.y1 && part.y1 <= rowCount,
+           @"the window is not a part of the picture");
+  columns = columnCount;
+  rows = rowCount;
+  window = part;
+
+  size_t each = sizeof *pixels + (withSurfaces ? sizeof *surfaces : 0);
+  uint64_t count = (uint64_t)[self width] * [self height];
+  double needed = (double)count * each; // may be past the largest integer
+  double memory = (double)sysconf(_SC_PHYS_PAGES) * sysconf(_SC_PAGESIZE);
+
+  if (needed <= memory)
+    {
+      pixels = calloc(count, sizeof *pixels);
+      surfaces = withSurfaces ? calloc(count, sizeof *surfaces) : NULL;
+    }
+  if (pixels == NULL || (withSurfaces && surfaces == NULL))
+    {
+      if (error)
+        {
+          *error = error_saying(@"not enough memory for %u x %u pixels: they "
+                                @"take %.0f bytes, this machine has %.0f",
+                                [self width], [self height], needed,
+                                memory);
+        }
+      [self release];
+      return nil;
+    }
+  return self;
+}
+
+- (void) dealloc
+{
+  free(pixels);
+  free(surfaces);
+  [super dealloc];
+}
+
+- (unsigned) width
+{
+  return window.x1 - window.x0;
+}
+
+- (unsigned) height
+{
+  return window.y1 - window.y0;
+}
+
+- (struct pixel *) pixelAt: (unsigned)x : (unsigned)y
+{
+  return pixels + (size_t)(y - window.y0) * [self width] + (x - window.x0);
+}
+
+- (struct surface_pixel *) surfaceAt: (unsigned)x : (unsigned)y
+{
+  return surfaces + (size_t)(y - window.y0) * [self width] + (x - window.x0);
+}
+
+- (NSUInteger) makeFinite
+{
+  NSUInteger nanCount = 0;
+  size_t count = (size_t)[self width] * [self height];
+
+  for (size_t i = 0; i < count; i++)
+    {
+      struct k_vec *color = &pixels[i].color;
+      color->x = made_finite(color->x, &nanCount);
+      color->y = made_finite(color->y, &nanCount);
+      color->z = made_finite(color->z, &nanCount);
+    }
+  return nanCount;
+}
+
++ (uint8_t) byte: (double)c
+{
+  return c > 0 ? c < 1 ? round(255 * c) : 255 : 0;
+}
+
+- (NSData *) bytes
+{
+  size_t count = (size_t)[self width] * [self height];
+  NSMutableData *data = [NSMutableData dataWithLength: 3 * count];
+  uint8_t *byte = [data mutableBytes];
+
+  for (size_t i = 0; i < count; i++)
+    {
+      *byte++ = [image_t byte: pixels[i].color.x];
+      *byte++ = [image_t byte: pixels[i].color.y];
+      *byte++ = [image_t byte: pixels[i].color.z];
+    }
+  return data;
+}
+
+@end

@@ -1,0 +1,240 @@
+#import "model_t.h"
+#import "camera_t.h"
+#import "light_t.h"
+#import "material_t.h"
+#import "ray_t.h"
+
+/** One object that rays ask, with what is needed to skip it. */
+struct surface
+{
+  struct k_bounds box;
+  object_t *object;
+  void (*hits)(id, SEL, ray_t *);       // its method hits:
+  BOOL is_opaque;
+};
+
+@implementation model_t
+
+- (id) init
+{
+  if ((self = [super init]))
+    {
+      lights = [[NSMutableArray alloc] init];
+      materials = [[NSMutableDictionary alloc] init];
+      objects = [[NSMutableArray alloc] init];
+      surfaces = [[NSMutableArray alloc] init];
+      clear = [[NSMutableArray alloc] init];
+      max_depth = 5;
+    }
+  return self;
+}
+
+- (void) dealloc
+{
+  free(table);
+  [clear release];
+  [surfaces release];
+  [objects release];
+  [materials release];
+  [lights release];
+  [camera release];
+  [super dealloc];
+}
+
+- (void) addLight: (light_t *)light
+{
+  [lights addObject: light];
+}
+
+- (void) addObject: (object_t *)object
+{
+  [objects addObject: object];
+  object->number = [objects count];
+}
+
+// Completion
+
+/** The classes of all objects and what they inherit from, below object_t,
+    that have something to do when the model is complete: the most general
+    first, otherwise in the order of their first object. */
+- (NSArray *) classesToComplete
+{
+  NSMutableArray *classes = [NSMutableArray array];
+  SEL complete = @selector(complete:model:diag:);
+  Class last = Nil;
+
+  for (object_t *object in objects)
+    {
+      NSUInteger at = [classes count];
+      if ([object class] == last)
+        {
+          continue;
+        }
+      last = [object class];
+      for (Class c = last; c != [object_t class]; c = [c superclass])
+        {
+          if ([c methodForSelector: complete]
+              != [[c superclass] methodForSelector: complete]
+              && ![classes containsObject: c])
+            {
+              [classes insertObject: c atIndex: at];
+            }
+        }
+    }
+  return classes;
+}
+
+- (void) makeTable
+{
+  surface_count = 0;
+  table = calloc([surfaces count] + 1, sizeof *table);
+  for (object_t *object in surfaces)
+    {
+      struct surface *s = &table[surface_count++];
+      s->box = [(id <object_t>)object bounds];
+      s->object = object;
+      s->hits = (void (*)(id, SEL, ray_t *))(void (*)(void))
+        [object methodForSelector: @selector(hits:)];
+      s->is_opaque = object->material->alpha == 0;
+      if (!s->is_opaque && [object medium] == object)
+        {
+          [clear addObject: object];
+        }
+    }
+}
+
+- (void) complete: (diag_t *)diag
+{
+  [surfaces setArray: objects];
+  for (object_t *object in objects)
+    {
+      if (object->slack < 0)
+        {
+          struct k_bounds box = [(id <object_t>)object bounds];
+          object->slack = k_is_unbounded(box) ? 0
+            : 0x1p-30 * k_max2(k_norm1(box.least), k_norm1(box.most));
+        }
+    }
+  for (Class class in [self classesToComplete])
+    {
+      NSMutableArray *instances = [NSMutableArray array];
+      for (object_t *object in objects)
+        {
+          if ([object isKindOfClass: class])
+            {
+              [instances addObject: object];
+            }
+        }
+      [class complete: instances model: self diag: diag];
+    }
+  [self makeTable];
+}
+
+- (void) replace: (NSArray *)parts by: (object_t *)whole
+{
+  NSUInteger at = [surfaces indexOfObjectIdenticalTo: [parts objectAtIndex: 0]];
+  NSHashTable *gone = [NSHashTable hashTableWithOptions:
+                                     NSHashTableObjectPointerPersonality];
+  NSMutableArray *kept = [NSMutableArray array];
+
+  [surfaces replaceObjectAtIndex: at withObject: whole];
+  for (object_t *part in parts)
+    {
+      [gone addObject: part];
+    }
+  for (object_t *object in surfaces)
+    {
+      if (![gone containsObject: object])
+        {
+          [kept addObject: object];
+        }
+    }
+  [surfaces setArray: kept];
+}
+
+// Rays
+
+- (void) find_closest: (ray_t *)ray
+{
+  struct k_vec o = ray->pos->v;
+  uint64_t tests = 0;
+
+  for (unsigned i = 0; i < surface_count; i++)
+    {
+      const struct surface *s = &table[i];
+      double t_most = ray->is_feeler ? ray->end : ray->hit.t;
+      if ((ray->is_feeler && !s->is_opaque)
+          || !k_bounds_hit(&s->box, o, ray->inverse, t_most))
+        {
+          continue;
+        }
+      tests++;
+      s->hits(s->object, @selector(hits:), ray);
+      if (ray->is_feeler && ray->hit.object)
+        {
+          break;
+        }
+    }
+  ray->counters->tests += tests;
+}
+
+/** One of the objects an eye ray starts in. */
+struct start
+{
+  object_t *object;
+  double t;             // where the ray leaves it
+};
+
+static int
+last_left_first(const void *p, const void *q)
+{
+  const struct start *a = p, *b = q;
+
+  return a->t != b->t ? (a->t > b->t ? -1 : 1)
+    : a->object->number > b->object->number ? -1 : 1;
+}
+
+- (media_t *) mediaOf: (ray_t *)ray
+{
+  struct k_vec o = ray->pos->v;
+  unsigned count = 0;
+  media_t *media = nil, *saved = ray->media;
+
+  for (object_t *object in clear)
+    {
+      count += [object contains: o];
+    }
+  if (count == 0)
+    {
+      return nil;
+    }
+  struct start starts[count];
+  unsigned i = 0;
+  for (object_t *object in clear)
+    {
+      if ([object contains: o])
+        {
+          starts[i++].object = object;
+          media = [media_t enter: object : object->material->ior over: media];
+        }
+    }
+  ray->media = media;           // a solid is left only by a ray inside it
+  for (i = 0; i < count; i++)
+    {
+      if (![ray leaves: starts[i].object at: &starts[i].t])
+        {
+          starts[i].t = HUGE_VAL;
+        }
+    }
+  ray->media = saved;
+  qsort(starts, count, sizeof *starts, last_left_first);
+  media = nil;
+  for (i = 0; i < count; i++)
+    {
+      object_t *object = starts[i].object;
+      media = [media_t enter: object : object->material->ior over: media];
+    }
+  return media;
+}
+
+@end

@@ -1,0 +1,55 @@
+#import "object_t.h"
+#import "block_t.h"
+#import "material_t.h"
+#import "ray_t.h"
+
+@implementation object_t
+
+- (id) initWithBlock: (block_t *)block
+{
+  if ((self = [super init]))
+    {
+      name = [[block name] copy];
+      material = [block material];
+      slack = -1;
+    }
+  return self;
+}
+
+- (void) dealloc
+{
+  [name release];
+  [super dealloc];
+}
+
+- (NSString *) name
+{
+  return name;
+}
+
+- (BOOL) contains: (struct k_vec)P
+{
+  vec_t *pos = [[vec_t alloc] initWithValue: P];
+  vec_t *dir = [[vec_t alloc] initWithValue: k_unit(k_vec(3, 2, 1))];
+  ray_t *ray = [[ray_t alloc] init: pos : dir];
+  double t;
+  BOOL is_inside = [ray leaves: self at: &t];
+
+  [ray release];
+  [dir release];
+  [pos release];
+  return is_inside;
+}
+
+- (id) medium
+{
+  return self;
+}
+
++ (void) complete: (NSArray *)instances
+            model: (model_t *)model
+             diag: (diag_t *)diag
+{
+}
+
+@end

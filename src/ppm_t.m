@@ -1,0 +1,18 @@
+// ppm_t.m
+
+#import "ppm_t.h"
+
+@implementation ppm_t
+
++ (NSData *) fileOf: (image_t *)image
+{
+  NSString *header = [NSString stringWithFormat: @"P6\n%u %u\n255\n",
+                               [image width], [image height]];
+  NSData *ascii = [header dataUsingEncoding: NSASCIIStringEncoding];
+  NSMutableData *file = [NSMutableData dataWithData: ascii];
+
+  [file appendData: [image bytes]];
+  return file;
+}
+
+@end

@@ -1,0 +1,314 @@
+#import "ray_t.h"
+#import "light_t.h"
+#import "material_t.h"
+#import "model_t.h"
+#import "object_t.h"
+#include "shade.h"
+
+@implementation ray_t
+
+- (id) init: (vec_t *)start : (vec_t *)direction
+{
+  if ((self = [super init]))
+    {
+      struct k_vec d = direction->v;
+
+      pos = [start retain];
+      dir = [direction retain];
+      inverse = k_vec(1 / d.x, 1 / d.y, 1 / d.z);
+      shear = k_shear(d);
+      end = HUGE_VAL;
+      hit.t = HUGE_VAL;
+      counters = &own_counters;
+    }
+  return self;
+}
+
+- (id) init: (vec_t *)start : (vec_t *)direction
+       from: (ray_t *)parent through: (BOOL)through
+{
+  if ((self = [self init: start : direction]))
+    {
+      BOOL came_from_inside = !(k_dot(parent->hit.N, parent->dir->v) < 0);
+
+      dis = parent->dis;
+      media = [parent->media retain];
+      depth = parent->depth + 1;
+      counters = parent->counters;
+      from = parent->hit.object;
+      starts_inside = came_from_inside != through;
+      slack = from->slack + 16 * K_U * k_norm1(start->v);
+    }
+  return self;
+}
+
+- (id) initFeeler: (vec_t *)start : (vec_t *)direction : (double)r
+             from: (ray_t *)parent to: (light_t *)light
+{
+  if ((self = [self init: start : direction from: parent through: NO]))
+    {
+      is_feeler = YES;
+      end = r;
+      end_slack = 16 * K_U * (k_norm1(start->v) + k_norm1(light->location));
+    }
+  return self;
+}
+
+- (void) dealloc
+{
+  [pos release];
+  [dir release];
+  [media release];
+  [super dealloc];
+}
+
+// What the object says of its hits
+
+- (BOOL) wants: (double)t
+{
+  return t > 0 && t <= hit.t && t < end;
+}
+
+/** Keeps a hit that is known to be in front if it is the nearest. */
+- (BOOL) exits: (object_t *)object at: (double)t normal: (struct k_vec)N
+         point: (struct k_vec)P
+{
+  if (is_feeler)
+    {
+      // As far as the light, as near as can be told, is not before it.
+      double before = (end - t) * fabs(k_dot(N, dir->v));
+      if (!(before > end_slack + object->slack))
+        {
+          return NO;
+        }
+    }
+  if (!(t < hit.t || (t == hit.t && object->number < hit.object->number)))
+    {
+      return NO;
+    }
+  hit.t = t;
+  hit.object = object;
+  hit.P = P;
+  hit.N = N;
+  return YES;
+}
+
+- (BOOL) meets: (object_t *)object at: (double)t normal: (struct k_vec)N
+         point: (struct k_vec)P
+{
+  if (!(t > 0))
+    {
+      return NO;
+    }
+  // The surface passes through the place where the ray starts, as near as
+  // can be told: it is met at t = 0. Its distance from there is t |N.dir|.
+  if (from && t * fabs(k_dot(N, dir->v)) <= slack + object->slack)
+    {
+      return NO;
+    }
+  return [self exits: object at: t normal: N point: P];
+}
+
+- (BOOL) meets: (object_t *)object at: (double)t normal: (struct k_vec)N
+{
+  return [self meets: object at: t normal: N
+               point: k_along(pos->v, t, dir->v)];
+}
+
+- (BOOL) leaves: (object_t *)object at: (double *)t
+{
+  ray_t *probe = [[ray_t alloc] init: pos : dir];
+
+  probe->media = [media retain];
+  probe->from = from;
+  probe->starts_inside = starts_inside;
+  probe->slack = slack;
+  [(id <object_t>)object hits: probe];
+  counters->tests++;
+  *t = probe->hit.t;
+  BOOL is_exit = probe->hit.object && k_dot(probe->hit.N, dir->v) > 0;
+  [probe release];
+  return is_exit;
+}
+
+/** A ray can slip out of a closed object through an edge. Before it goes on,
+    the objects it has no way out of are taken off its media. */
+- (void) forgetMediaLeft
+{
+  media_t *kept = media;
+
+  for (media_t *m = media; m; m = m->below)
+    {
+      double t;
+      BOOL is_hit = [hit.object medium] == m->object;
+      if (!is_hit && !k_is_unbounded([m->object bounds])
+          && ![self leaves: m->object at: &t])
+        {
+          kept = [media_t leave: m->object from: kept];
+          counters->escapes++;
+        }
+    }
+  if (kept != media)
+    {
+      [kept retain];
+      [media release];
+      media = kept;
+    }
+}
+
+// Tracing
+
+/** Whether light from `light` reaches the hit point: L is the direction to
+    it, *e what arrives, on the side of Ns. */
+- (BOOL) sees: (light_t *)light in: (model_t *)model from: (vec_t *)P
+             : (struct k_vec)Ns : (struct k_vec *)L : (struct k_vec *)e
+{
+  struct k_vec l = k_sub(light->location, P->v);
+  double r = k_length(l);
+
+  *L = k_unit(l);
+  if (!(r > 0 && k_dot(Ns, *L) > 0))
+    {
+      return NO;
+    }
+  ray_t *feeler = [(ray_t *)[ray_t alloc] initFeeler: P : [vec_t vec: *L] : r
+                                                from: self to: light];
+  counters->feeler++;
+  [model find_closest: feeler];
+  BOOL is_lit = feeler->hit.object == nil;
+  [feeler release];
+  *e = shade_falloff(light->emissivity, r, light->falloff);
+  return is_lit;
+}
+
+/** What comes along the reflected ray. */
+- (struct k_vec) reflectionFrom: (vec_t *)P : (vec_t *)Ns
+                             in: (model_t *)model
+{
+  vec_t *r = [vec_t vec: shade_renew([dir reflect: Ns]->v)];
+  ray_t *reflection = [(ray_t *)[ray_t alloc] init: P : r
+                                              from: self through: NO];
+
+  counters->reflection++;
+  struct k_vec color = [reflection trace: model]->v;
+  [reflection release];
+  return color;
+}
+
+/** What comes along the refracted ray, which runs along t in `inside`. */
+- (struct k_vec) refractionFrom: (vec_t *)P : (vec_t *)t
+                             in: (model_t *)model media: (media_t *)inside
+{
+  ray_t *refraction = [(ray_t *)[ray_t alloc] init: P : t
+                                              from: self through: YES];
+
+  counters->refraction++;
+  [inside retain];
+  [refraction->media release];
+  refraction->media = inside;
+  struct k_vec color = [refraction trace: model]->v;
+  [refraction release];
+  return color;
+}
+
+/** The refracted direction at the hit point, straight on for a thin sheet;
+    *inside is what the ray is in after it and *R how much is reflected. */
+- (vec_t *) refractAt: (vec_t *)Ns inside: (media_t **)inside
+          reflectance: (double *)R
+{
+  object_t *medium = [hit.object medium];
+  double ior = hit.object->material->ior;
+  BOOL goes_in = k_dot(hit.N, dir->v) < 0;
+  double n_i = [media_t ior: media];
+  double n_t = ior;
+  int tir;
+
+  *inside = media;
+  if (medium && goes_in)
+    {
+      *inside = [media_t enter: medium : ior over: media];
+    }
+  else if (medium)
+    {
+      *inside = [media_t leave: medium from: media];
+      n_i = ior;
+      n_t = [media_t ior: *inside];
+    }
+  struct k_vec T = shade_refract(dir->v, Ns->v, n_t / n_i, &tir);
+  *R = tir ? 1 : shade_schlick(dir->v, Ns->v, T, n_i, n_t);
+  return medium && n_i != n_t ? [vec_t vec: shade_renew(T)] : dir;
+}
+
+- (vec_t *) trace: (model_t *)model
+{
+  if (depth > model->max_depth)
+    {
+      return [vec_t vec: k_vec(0, 0, 0)];
+    }
+  [model find_closest: self];
+  if (hit.object == nil)
+    {
+      return [vec_t vec: model->background];
+    }
+  [self forgetMediaLeft];
+  dis += hit.t;
+
+  material_t *m = hit.object->material;
+  BOOL is_mirror = !k_is_zero(m->specular);
+  vec_t *P = [vec_t vec: hit.P];
+  vec_t *N = [vec_t vec: hit.N];
+  vec_t *Ns = [N dot: dir] < 0 ? N : [N scale: -1.0];
+  struct k_vec V = k_neg(dir->v);
+  struct k_vec A = shade_ambient(m->ambient, dis);
+  struct k_vec color = A;
+  struct k_vec highlights = k_vec(0, 0, 0);
+
+  for (light_t *light in model->lights)
+    {
+      struct k_vec L, e;
+      if ([self sees: light in: model from: P : Ns->v : &L : &e])
+        {
+          color = shade_lit(color, m->diffuse, e, k_dot(Ns->v, L));
+          if (is_mirror)
+            {
+              highlights = shade_highlight(highlights, m->specular, e,
+                                           Ns->v, L, V, m->shininess);
+            }
+        }
+      else
+        {
+          color = shade_shadow(color, A);
+        }
+    }
+
+  // One reflection ray serves the mirror and the transparent surface.
+  struct k_vec reflected = k_vec(0, 0, 0);
+  struct k_vec refracted = k_vec(0, 0, 0);
+  double R = 0;
+  media_t *inside = nil;
+  vec_t *t = nil;
+
+  if (m->alpha > 0)
+    {
+      t = [self refractAt: Ns inside: &inside reflectance: &R];
+    }
+  if (is_mirror || R > 0)
+    {
+      reflected = [self reflectionFrom: P : Ns in: model];
+    }
+  if (is_mirror)
+    {
+      color = shade_mirror(color, m->diffuse, m->specular, reflected);
+    }
+  if (m->alpha > 0)
+    {
+      if (R < 1)
+        {
+          refracted = [self refractionFrom: P : t in: model media: inside];
+        }
+      color = shade_blend(color, m->alpha, R, refracted, reflected);
+    }
+  return [vec_t vec: k_add(color, highlights)];
+}
+
+@end

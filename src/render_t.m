@@ -1,0 +1,202 @@
+#import "render_t.h"
+#import "camera_t.h"
+#import "model_t.h"
+#import "ray_t.h"
+#include "sampler.h"
+
+// Pixels of one side of a tile: large enough that taking the next one costs
+// nothing, small enough that the last ones keep all threads busy.
+#define TILE 16
+
+@implementation render_t
+
+- (id) init: (model_t *)aModel into: (image_t *)anImage
+    options: (struct render_options)someOptions
+{
+  if ((self = [super init]))
+    {
+      model = [aModel retain];
+      image = [anImage retain];
+      options = someOptions;
+      tiles_across = ([image width] + TILE - 1) / TILE;
+      tile_count = tiles_across * (([image height] + TILE - 1) / TILE);
+    }
+  return self;
+}
+
+- (void) dealloc
+{
+  [image release];
+  [model release];
+  [super dealloc];
+}
+
+/** An eye ray, traced. */
+- (struct k_vec) colorAt: (struct k_vec)o : (struct k_vec)d
+                counters: (struct counters *)count
+{
+  vec_t *pos = [[vec_t alloc] initWithValue: o];
+  vec_t *dir = [[vec_t alloc] initWithValue: d];
+  ray_t *ray = [(ray_t *)[ray_t alloc] init: pos : dir];
+
+  count->eye++;
+  ray->counters = count;
+  ray->media = [[model mediaOf: ray] retain];
+  struct k_vec color = [ray trace: model]->v;
+  [ray release];
+  [dir release];
+  [pos release];
+  return color;
+}
+
+/** The place of sample s in the pixel. */
+- (void) place: (struct sample *)sample of: (unsigned)s
+{
+  if (options.samples == 1)
+    {
+      sample->right = sample->up = 0;
+    }
+  else if (options.sampler == SAMPLER_GRID)
+    {
+      unsigned n = lround(sqrt(options.samples));
+      sample->right = (s % n + 0.5) / n - 0.5;
+      sample->up = (s / n + 0.5) / n - 0.5;
+    }
+  else
+    {
+      sample->right = sampler_random(options.seed, sample->column,
+                                     sample->row, s,
+                                     DIMENSION_PIXEL_RIGHT) - 0.5;
+      sample->up = sampler_random(options.seed, sample->column, sample->row,
+                                  s, DIMENSION_PIXEL_UP) - 0.5;
+    }
+}
+
+/** The mean colour of all rays of a pixel. */
+- (struct k_vec) colorOf: (struct sample)sample
+                counters: (struct counters *)count
+{
+  camera_t *camera = model->camera;
+  struct k_vec sum = k_vec(0, 0, 0);
+  uint64_t ray_number = 0;
+
+  for (unsigned s = 0; s < options.samples; s++)
+    {
+      [self place: &sample of: s];
+      for (unsigned e = 0; e < camera->exposure; e++, ray_number++)
+        {
+          struct k_vec o, d;
+          NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
+          if (camera->has_lens)
+            {
+              sample.u = 2 * sampler_random(options.seed, sample.column,
+                                            sample.row, ray_number,
+                                            DIMENSION_LENS_U) - 1;
+              sample.v = 2 * sampler_random(options.seed, sample.column,
+                                            sample.row, ray_number,
+                                            DIMENSION_LENS_V) - 1;
+            }
+          [camera ray: sample pos: &o dir: &d];
+          sum = k_add(sum, [self colorAt: o : d counters: count]);
+          [pool release];
+        }
+    }
+  return k_div(sum, ray_number);
+}
+
+/** What the ray through the middle of the pixel and of the lens hits. */
+- (struct surface_pixel) surfaceOf: (struct sample)sample
+{
+  struct surface_pixel surface = { HUGE_VAL, { 0, 0, 0 }, 0 };
+  NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
+  struct k_vec o, d;
+
+  [model->camera centralRay: sample pos: &o dir: &d];
+  ray_t *ray = [(ray_t *)[ray_t alloc] init: [vec_t vec: o] : [vec_t vec: d]];
+  ray->media = [[model mediaOf: ray] retain];
+  [model find_closest: ray];
+  if (ray->hit.object)
+    {
+      surface.depth = ray->hit.t;
+      surface.N = ray->hit.N;
+      surface.object = ray->hit.object->number;
+    }
+  [ray release];
+  [pool release];
+  return surface;
+}
+
+- (void) pixel: (unsigned)x : (unsigned)y counters: (struct counters *)count
+{
+  struct sample sample = { .column = x, .row = image->rows - 1 - y };
+
+  if (image->surfaces)
+    {
+      *[image surfaceAt: x : y] = [self surfaceOf: sample];
+    }
+  [image pixelAt: x : y]->color = [self colorOf: sample counters: count];
+}
+
+- (void) tile: (unsigned)tile counters: (struct counters *)count
+{
+  unsigned x0 = image->window.x0 + tile % tiles_across * TILE;
+  unsigned y0 = image->window.y0 + tile / tiles_across * TILE;
+
+  for (unsigned y = y0; y < y0 + TILE && y < image->window.y1; y++)
+    {
+      for (unsigned x = x0; x < x0 + TILE && x < image->window.x1; x++)
+        {
+          if (stop && *stop)
+            {
+              return;
+            }
+          [self pixel: x : y counters: count];
+        }
+    }
+}
+
+/** What each thread does: take tiles until there are none left. `alive`
+    counts the threads. */
+- (void) work: (NSConditionLock *)alive
+{
+  NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
+  struct counters mine = { 0 };
+  unsigned tile;
+
+  while ((tile = __atomic_fetch_add(&next_tile, 1, __ATOMIC_RELAXED))
+         < tile_count)
+    {
+      [self tile: tile counters: &mine];
+      __atomic_fetch_add(&tiles_done, 1, __ATOMIC_RELAXED);
+    }
+  [alive lock];
+  counters_add(&counters, &mine);
+  [alive unlockWithCondition: [alive condition] - 1];
+  [pool release];
+}
+
+- (BOOL) run
+{
+  NSConditionLock *alive = [[NSConditionLock alloc]
+                             initWithCondition: options.threads];
+
+  for (unsigned i = 1; i < options.threads; i++)
+    {
+      [NSThread detachNewThreadSelector: @selector(work:)
+                               toTarget: self
+                             withObject: alive];
+    }
+  [self work: alive];
+  [alive lockWhenCondition: 0];
+  [alive unlock];
+  [alive release];
+  return !(stop && *stop);
+}
+
+- (double) done
+{
+  return tile_count ? (double)__atomic_load_n(&tiles_done, __ATOMIC_RELAXED)
+    / tile_count : 1;
+}
+
+@end

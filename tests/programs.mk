@@ -1,0 +1,18 @@
+# programs.mk - makes test programs, with the flags of the library: tests/run
+# calls it. What the compiler says of a program stands in PROGRAM.log.
+
+include tools/flags.mk
+
+OBJC_FLAGS := $(filter-out -MMD -MP,$(shell gnustep-config --objc-flags))
+BASE_LIBS := $(shell gnustep-config --base-libs)
+
+# A program lies two folders deep in tests/, a fixture of the runner three.
+RPATH = -Wl,-rpath,'$$ORIGIN/../..:$$ORIGIN/../../..'
+
+$(BUILD_DIR)/tests/%: tests/%.m $(FLAGS_FILE)
+	@mkdir -p $(@D)
+	@$(CC) $(OBJC_FLAGS) $(FLAGS) $(INCLUDES) -Itests -MMD -MP -MF $@.d \
+	  $< -o $@ $(LINK_FLAGS) $(RPATH) -L$(BUILD_DIR) $(LIBRARY) \
+	  $(LIBS) $(BASE_LIBS) >$@.log 2>&1 || { rm -f $@; exit 1; }
+
+-include $(wildcard $(BUILD_DIR)/tests/*/*.d)

@@ -1,0 +1,69 @@
+# flags.mk - the builds and their flags: for the GNUmakefile, which makes the
+# library and the tool, and for tests/programs.mk, which makes the tests.
+#
+# BUILD is the name of a build; each has a folder of its own, build/NAME:
+#
+#   default     gcc -O3: what is installed
+#   sanitize    gcc with the address and undefined behaviour sanitizers
+#   gcc-O0      gcc without optimisation
+#   clang-O2    clang 16
+#
+# CC=…, OPT=… and SANITIZE=… on the command line change any of them.
+
+BUILD ?= default
+
+ifeq ($(BUILD),sanitize)
+  OPT = -O1 -fno-omit-frame-pointer
+  SANITIZE = address,undefined
+else ifeq ($(BUILD),gcc-O0)
+  OPT = -O0
+else ifeq ($(BUILD),clang-O2)
+  CC = clang-16
+  OPT = -O2
+endif
+
+ifeq ($(origin CC),default)
+  CC = gcc
+endif
+OPT ?= -O3
+
+PACKAGES = OpenEXR libpng nettle
+ifneq ($(shell pkg-config --exists $(PACKAGES) && echo found),found)
+  $(error pkg-config does not find all of: $(PACKAGES); see README.md)
+endif
+
+# OpenEXR is used through its C library only.
+LIBS := $(filter -lOpenEXRCore%,$(shell pkg-config --libs OpenEXR)) \
+  $(shell pkg-config --libs libpng nettle) -lm
+INCLUDES := -Isrc $(filter -I%,$(shell pkg-config --cflags $(PACKAGES)))
+
+# No flag here may change the value of a floating-point operation: every
+# compiler and every level has to give the same picture.
+FLAGS := -std=gnu11 $(OPT) -g \
+  -ffp-contract=off -fno-fast-math -fno-math-errno \
+  -Wall -Wextra -Werror -Wno-unused-parameter -Wno-expansion-to-defined
+LINK_FLAGS :=
+
+ifneq ($(findstring clang,$(CC)),)
+  # GNUstep's libraries are made for gcc's runtime; its headers come with gcc.
+  FLAGS += -fobjc-runtime=gcc \
+    -idirafter $(shell gcc -print-file-name=include)
+endif
+
+ifneq ($(SANITIZE),)
+  FLAGS += -fsanitize=$(SANITIZE) -fno-sanitize-recover=undefined
+  LINK_FLAGS += -fsanitize=$(SANITIZE)
+endif
+
+# Shapes are found by name at run time: the library is linked whether or not
+# a program names anything in it.
+LIBRARY := -Wl,--no-as-needed -lraytrace -Wl,--as-needed
+
+# What was made with other flags is made again: it depends on this file.
+BUILD_DIR := build/$(BUILD)
+FLAGS_FILE := $(BUILD_DIR)/flags
+FLAGS_NOW := $(strip $(CC) $(FLAGS) $(INCLUDES) $(LINK_FLAGS) $(LIBS))
+$(shell mkdir -p $(BUILD_DIR))
+ifneq ($(file <$(FLAGS_FILE)),$(FLAGS_NOW))
+  $(file >$(FLAGS_FILE),$(FLAGS_NOW))
+endif
