@@ -1,28 +1,36 @@
 // block_t.h - one block of a model file, `keyword name { attribute values }`,
 // read and checked against its class's table of attributes. A class asks it
 // for values in its initWithBlock:. All values are there and in range by
-// then: a block with a fault never gets that far.
+// then: a block with a fault never gets that far. (A material's own faulty
+// attributes are as if they were not given.) The block is a view: it shows
+// one block now and another one later.
 
 #import <Foundation/Foundation.h>
 #include "attribute.h"
 #include "place.h"
 #include "kernel/k_vec.h"
 
-@class diag_t, material_t;
+@class diag_t, material_t, store_t, text_t;
 
 @interface block_t : NSObject
 {
 @public
-  NSString *keyword;
-  NSString *name;
-  struct place keyword_place;
-  struct place name_place;
+  BOOL is_refused;              // the class has noted a fault
 @protected
-  struct block_value *values;   // one per attribute given, see block_t.m
-  unsigned value_count, value_capacity;
+  store_t *store;               // these three are not retained: they live
+  text_t *text;                 // as long as the load
+  diag_t *diag;
+  material_t **materials;       // per record of the store
+  struct record *record;        // the one that is shown
   const struct attribute *table;
-  diag_t *diag;                 // not retained: lives as long as the load
+  NSString *keyword, *name;     // of that, when they have been asked for
 }
+
+/** A view of the store's blocks; show: chooses one. `materials` has an item
+    for each record, those that are materials filled in. */
+- (id) init: (store_t *)store text: (text_t *)text diag: (diag_t *)diag
+  materials: (material_t **)materials;
+- (void) show: (unsigned)record;
 
 /** The word before the name: "sphere". */
 - (NSString *) keyword;
@@ -46,7 +54,8 @@
 /** The point that the attribute has where it is given for the i-th time. */
 - (struct k_vec) vector: (const char *)attribute at: (unsigned)i;
 
-/** The word or name after an attribute; nil if it was not given. */
+/** The word or name after an attribute (autoreleased); nil if it was not
+    given. */
 - (NSString *) word: (const char *)attribute;
 
 /** The material that the attribute `material` names. Owned by the model. */

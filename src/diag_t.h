@@ -9,13 +9,14 @@
 // It prints nothing; main does. The caller owns what it makes.
 
 #import <Foundation/Foundation.h>
+#import "fault_list_t.h"
 #include "place.h"
 
 @interface diag_t : NSObject
 {
   NSMutableArray *files;
-  NSMutableArray *faults;
-  NSMutableArray *warnings;
+  fault_list_t *faults;
+  fault_list_t *warnings;
 }
 
 /** Makes a file known and returns its number. `name` is how messages call
@@ -33,15 +34,25 @@
 - (void) warn: (struct place)place : (NSString *)format, ...
   __attribute__((format(NSString, 2, 3)));
 
+/** Whether a fault at this place of the text will be shown. If not it is
+    noted by this, and needs no message: for those who find many. */
+- (BOOL) wantsFault: (unsigned long)order;
+
 /** How many faults so far. */
 - (NSUInteger) faultCount;
+
+/** How a place is called in messages: "scene.mdl:12:12" (autoreleased). */
+- (NSString *) nameOf: (struct place)place;
 
 /** All messages as they are shown, in the order of the text: up to 20
     faults, then how many more; then likewise the warnings. */
 - (NSString *) report;
 
 /** The nearest of `words` to `word`, when it is near enough to be a slip of
-    the hand, as "; did you mean 'x'?"; otherwise the empty string. */
+    the hand: nil if none is. */
++ (NSString *) nearestTo: (NSString *)word among: (NSArray *)words;
+
+/** The same as "; did you mean 'x'?"; otherwise the empty string. */
 + (NSString *) suggestionFor: (NSString *)word among: (NSArray *)words;
 
 @end

@@ -4,7 +4,7 @@
 #include <string.h>
 
 NSError *
-error_saying(NSString *format, ...)
+error_saying(enum status status, NSString *format, ...)
 {
   va_list values;
 
@@ -16,7 +16,7 @@ error_saying(NSString *format, ...)
     [NSDictionary dictionaryWithObject: text
                                 forKey: NSLocalizedDescriptionKey];
   [text release];
-  return [NSError errorWithDomain: @"raytrace" code: 0 userInfo: info];
+  return [NSError errorWithDomain: @"raytrace" code: status userInfo: info];
 }
 
 NSString *

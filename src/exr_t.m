@@ -127,7 +127,7 @@ write_chunk(exr_context_t file, exr_encode_pipeline_t *encoder,
     {
       exr_coding_channel_info_t *to = &encoder->channels[c];
       union exr_value *lines = writing->lines
-                           + (size_t)c * chunk.width * chunk.height;
+                               + (size_t)c * chunk.width * chunk.height;
 
       exr_channel_fill(lines, writing->channels[c], image, y, *height);
       to->user_pixel_stride = sizeof *lines;
@@ -201,7 +201,7 @@ write_pixels(exr_context_t file, image_t *image, struct writing *writing)
   if (result != EXR_ERR_SUCCESS && error)
     {
       const char *text = exr_get_default_error_message(result);
-      *error = error_saying(@"OpenEXR: %s", writing.message
+      *error = error_saying(STATUS_FILE, @"OpenEXR: %s", writing.message
                             ? [writing.message UTF8String] : text);
     }
   return result == EXR_ERR_SUCCESS ? writing.bytes : nil;

@@ -2,9 +2,9 @@
 
 #import "image_t.h"
 #import "errors.h"
+#import "machine.h"
 #include <float.h>
 #include <stdlib.h>
-#include <unistd.h>
 
 static double
 made_finite(double c, NSUInteger *nanCount)
@@ -39,7 +39,7 @@ made_finite(double c, NSUInteger *nanCount)
   size_t each = sizeof *pixels + (withSurfaces ? sizeof *surfaces : 0);
   uint64_t count = (uint64_t)[self width] * [self height];
   double needed = (double)count * each; // may be past the largest integer
-  double memory = (double)sysconf(_SC_PHYS_PAGES) * sysconf(_SC_PAGESIZE);
+  double memory = machine_memory();
 
   if (needed <= memory)
     {
@@ -50,10 +50,10 @@ made_finite(double c, NSUInteger *nanCount)
     {
       if (error)
         {
-          *error = error_saying(@"not enough memory for %u x %u pixels: they "
-                                @"take %.0f bytes, this machine has %.0f",
-                                [self width], [self height], needed,
-                                memory);
+          *error = error_saying(STATUS_FILE, @"not enough memory for %u x %u "
+                                @"pixels: they take %.0f bytes, this machine "
+                                @"has %.0f", [self width], [self height],
+                                needed, memory);
         }
       [self release];
       return nil;

@@ -25,7 +25,7 @@ fail(png_structp png, png_const_charp message)
 {
   NSError **error = png_get_error_ptr(png);
 
-  *error = error_saying(@"libpng: %s", message);
+  *error = error_saying(STATUS_FILE, @"libpng: %s", message);
   png_longjmp(png, 1);
 }
 
@@ -77,7 +77,7 @@ write_picture(png_structp png, png_infop info, image_t *image,
 
   if (info == NULL)
     {
-      failure = error_saying(@"libpng: not enough memory");
+      failure = error_saying(STATUS_FILE, @"libpng: not enough memory");
     }
   else if (setjmp(png_jmpbuf(png)) == 0)
     {

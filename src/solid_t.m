@@ -111,7 +111,11 @@
       is_convex = [faces count] <= CLIPPED_FACES && [self allFacesAreOutside];
       for (polygon_t *face in faces)
         {
-          face->solid = material->alpha > 0 ? self : nil;
+          if (material->alpha > 0)
+            {
+              face->solid = self;
+              face->slack = slack;
+            }
         }
     }
   return self;
@@ -227,16 +231,15 @@
         {
           continue;
         }
+      double tolerance = ray->slack + slack;
       double off = fabs(k_dot(face->plane.n, k_sub(face->plane.q, o)));
-      if (is_inside && ray->from && off <= ray->slack + slack)
+      BOOL stands_on_it = is_inside && ray->from && off <= tolerance
+        && fabs(t) <= 16 * tolerance;
+      if (stands_on_it && [face holds: ray at: t])
         {
-          t = t > 0 ? t : 0;
-          if ([face holds: ray at: t])
-            {
-              [ray exits: face at: t normal: face->plane.n point: o];
-            }
+          [ray exits: face at: t > 0 ? t : 0 normal: face->plane.n point: o];
         }
-      else if ([ray wants: t] && [face holds: ray at: t])
+      else if (!stands_on_it && [ray wants: t] && [face holds: ray at: t])
         {
           [ray meets: face at: t normal: face->plane.n
                point: k_plane_point(&face->plane, o, d, t)];

@@ -9,6 +9,11 @@ BASE_LIBS := $(shell gnustep-config --base-libs)
 # A program lies two folders deep in tests/, a fixture of the runner three.
 RPATH = -Wl,-rpath,'$$ORIGIN/../..:$$ORIGIN/../../..'
 
+$(BUILD_DIR)/tests/%: tests/%.c $(FLAGS_FILE)
+	@mkdir -p $(@D)
+	@$(CC) $(FLAGS) $(INCLUDES) -MMD -MP -MF $@.d $< -o $@ \
+	  $(LINK_FLAGS) $(LIBS) >$@.log 2>&1 || { rm -f $@; exit 1; }
+
 $(BUILD_DIR)/tests/%: tests/%.m $(FLAGS_FILE)
 	@mkdir -p $(@D)
 	@$(CC) $(OBJC_FLAGS) $(FLAGS) $(INCLUDES) -Itests -MMD -MP -MF $@.d \

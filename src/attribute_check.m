@@ -1,0 +1,161 @@
+#include "attribute_check.h"
+
+unsigned
+attribute_values(const struct attribute *a)
+{
+  switch (a->kind)
+    {
+    case ATTRIBUTE_PAIR:
+    case ATTRIBUTE_WHOLE_PAIR:
+      return 2;
+    case ATTRIBUTE_POINT:
+    case ATTRIBUTE_VECTOR:
+    case ATTRIBUTE_COLOR:
+      return 3;
+    default:
+      return 1;
+    }
+}
+
+BOOL
+attribute_is_numeric(const struct attribute *a)
+{
+  return a->kind != ATTRIBUTE_MATERIAL && a->kind != ATTRIBUTE_NAME
+    && a->kind != ATTRIBUTE_WORD;
+}
+
+BOOL
+attribute_is_whole(const struct attribute *a)
+{
+  return a->kind == ATTRIBUTE_WHOLE || a->kind == ATTRIBUTE_WHOLE_PAIR;
+}
+
+BOOL
+attribute_allows(const struct attribute *a, double value)
+{
+  if (a->kind == ATTRIBUTE_COLOR && value < 0)
+    {
+      return NO;
+    }
+  switch (a->range)
+    {
+    case RANGE_POSITIVE:
+      return value > 0;
+    case RANGE_NOT_NEGATIVE:
+      return value >= 0;
+    case RANGE_BETWEEN:
+      return value >= a->least && value <= a->most;
+    case RANGE_STRICTLY_BETWEEN:
+      return value > a->least && value < a->most;
+    default:
+      return YES;
+    }
+}
+
+NSArray *
+attribute_words(const struct attribute *a)
+{
+  return [[NSString stringWithUTF8String: a->words]
+           componentsSeparatedByString: @" "];
+}
+
+BOOL
+attribute_allows_word(const struct attribute *a, struct token word)
+{
+  if (a->kind != ATTRIBUTE_WORD)
+    {
+      return YES;
+    }
+  for (const char *p = a->words; *p; p += strspn(p, " "))
+    {
+      size_t length = strcspn(p, " ");
+      if (length == word.length && memcmp(p, word.at, length) == 0)
+        {
+          return YES;
+        }
+      p += length;
+    }
+  return NO;
+}
+
+NSString *
+attribute_list(NSArray *words, NSString *conjunction)
+{
+  NSUInteger count = [words count];
+
+  if (count < 2)
+    {
+      return [words lastObject];
+    }
+  NSString *first = [[words subarrayWithRange: NSMakeRange(0, count - 1)]
+                      componentsJoinedByString: @", "];
+  return [NSString stringWithFormat: @"%@ %@ %@", first, conjunction,
+                   [words lastObject]];
+}
+
+static NSString *
+range_text(const struct attribute *a)
+{
+  switch (a->range)
+    {
+    case RANGE_POSITIVE:
+      return @" > 0";
+    case RANGE_NOT_NEGATIVE:
+      return @" >= 0";
+    case RANGE_BETWEEN:
+      return [NSString stringWithFormat: @" from %.15g to %.15g",
+                       a->least, a->most];
+    case RANGE_STRICTLY_BETWEEN:
+      return [NSString stringWithFormat: @" > %.15g and < %.15g",
+                       a->least, a->most];
+    default:
+      return a->kind == ATTRIBUTE_COLOR ? @" >= 0" : @"";
+    }
+}
+
+NSString *
+attribute_expected(const struct attribute *a, unsigned values)
+{
+  switch (a->kind)
+    {
+    case ATTRIBUTE_MATERIAL:
+      return @"the name of a material";
+    case ATTRIBUTE_NAME:
+      return @"a name";
+    case ATTRIBUTE_WORD:
+      return attribute_list(attribute_words(a), @"or");
+    default:
+      break;
+    }
+
+  const char *number = attribute_is_whole(a) ? "whole number" : "number";
+
+  return values == 1
+    ? [NSString stringWithFormat: @"a %s%@", number, range_text(a)]
+    : [NSString stringWithFormat: @"%u %ss%@", values, number, range_text(a)];
+}
+
+const struct attribute *
+attribute_named(const struct attribute *table, struct token name)
+{
+  for (const struct attribute *a = table; a->name; a++)
+    {
+      if (token_is(name, a->name))
+        {
+          return a;
+        }
+    }
+  return NULL;
+}
+
+NSArray *
+attribute_names(const struct attribute *table)
+{
+  NSMutableArray *names = [NSMutableArray array];
+
+  for (const struct attribute *a = table; a->name; a++)
+    {
+      [names addObject: [NSString stringWithUTF8String: a->name]];
+    }
+  return names;
+}

@@ -1,0 +1,42 @@
+// job_t.h - one run of the program: from the options to a file, step by step.
+// Each step needs the ones before it and says by NSError how it failed; it
+// prints nothing, except for the bar.
+
+#import "options_t.h"
+#import "stats_t.h"
+
+@class diag_t, image_t, model_t, outfile_t;
+
+@interface job_t : NSObject
+{
+@public
+  stats_t *stats;
+  diag_t *diag;         // what there is to say of the scene, after load:
+  NSUInteger nanCount;  // numbers of the picture that were NaN, after trace:
+@protected
+  options_t *options;
+  outfile_t *outfile;   // nil: nothing is to be written
+  model_t *model;
+  NSString *canonical, *sceneHash;
+  image_t *image;
+}
+
+- (id) init: (options_t *)options;
+
+/** Opens the output, so that nobody waits for a picture that cannot be
+    written. */
+- (BOOL) open: (NSError **)error;
+
+/** Reads the scene. */
+- (BOOL) load: (NSError **)error;
+
+/** The scene in a few words (autoreleased). */
+- (NSString *) summary;
+
+/** Computes the picture. */
+- (BOOL) trace: (NSError **)error;
+
+/** Writes the picture or, with --format-scene, the scene. */
+- (BOOL) write: (NSError **)error;
+
+@end

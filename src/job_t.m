@@ -1,0 +1,224 @@
+// job_t.m
+
+#import "job_t.h"
+#import "camera_t.h"
+#import "diag_t.h"
+#import "errors.h"
+#import "exr_t.h"
+#import "machine.h"
+#import "model_t.h"
+#import "outfile_t.h"
+#import "parser_t.h"
+#import "png_t.h"
+#import "ppm_t.h"
+#import "progress_t.h"
+#import "sha256.h"
+#include "version.h"
+#include <unistd.h>
+
+@implementation job_t
+
+- (id) init: (options_t *)someOptions
+{
+  self = [super init];
+  if (self)
+    {
+      options = [someOptions retain];
+      stats = [[stats_t alloc] init];
+      diag = [[diag_t alloc] init];
+    }
+  return self;
+}
+
+- (void) dealloc
+{
+  [options release];
+  [stats release];
+  [diag release];
+  [outfile release];
+  [model release];
+  [canonical release];
+  [sceneHash release];
+  [image release];
+  [super dealloc];
+}
+
+- (BOOL) open: (NSError **)error
+{
+  NSString *path = options->settings.output;
+
+  if (options->settings.check)
+    {
+      return YES;
+    }
+  outfile = [[outfile_t alloc] init: path ? path : @"-" error: error];
+  return outfile != nil;
+}
+
+- (BOOL) load: (NSError **)error
+{
+  const struct settings *settings = &options->settings;
+  struct parse_options how = {
+    .polygon_test = (enum polygon_test)settings->polygon_test,
+    .max_depth = (unsigned)settings->max_depth
+  };
+  NSArray *includes = [settings->includes
+                        arrayByAddingObjectsFromArray: machine_models()];
+  NSError *reason = nil;
+  NSData *text = nil;
+
+  model = [[parser_t modelFromFile: options->scene
+                       includePath: includes
+                           options: how
+                              diag: diag
+                              text: &text
+                         canonical: settings->format_scene ? &canonical : NULL
+                             error: &reason] retain];
+  [canonical retain];
+  if (model == nil && error)
+    {
+      *error = reason
+        ? error_saying(STATUS_FILE, @"cannot read '%@': %@", options->scene,
+                       error_text(reason))
+        : error_saying(STATUS_SCENE, @"'%@' has faults", options->scene);
+    }
+  else if (model)
+    {
+      sceneHash = [sha256_of(text) retain];
+    }
+  [stats ended: PHASE_LOAD];
+  return model != nil;
+}
+
+- (NSString *) summary
+{
+  camera_t *camera = model->camera;
+
+  return [NSString stringWithFormat: @"'%@': %lu objects, %lu lights, "
+                   @"%u x %u pixels", options->scene,
+                   (unsigned long)[model->objects count],
+                   (unsigned long)[model->lights count],
+                   camera->columns, camera->rows];
+}
+
+/** What the options change of the camera, and whether they suit it. */
+- (BOOL) setCamera: (struct window *)window error: (NSError **)error
+{
+  const struct settings *settings = &options->settings;
+  const uint64_t *size = settings->size, *crop = settings->crop;
+  camera_t *camera = model->camera;
+
+  if (size[0])
+    {
+      [camera resizeTo: (unsigned)size[0] : (unsigned)size[1]];
+    }
+  if (settings->exposure && !camera->has_lens)
+    {
+      *error = error_saying(STATUS_USAGE, @"option '--exposure' needs a "
+                            @"camera with a lens: focus, fstop, exposure");
+      return NO;
+    }
+  if (settings->exposure)
+    {
+      camera->exposure = (unsigned)settings->exposure;
+    }
+  *window = (struct window){ 0, 0, camera->columns, camera->rows };
+  if (crop[0] == NO_CROP)
+    {
+      return YES;
+    }
+  if (crop[2] > camera->columns || crop[3] > camera->rows)
+    {
+      *error = error_saying(STATUS_USAGE, @"option '--crop' goes beyond the "
+                            @"picture of %u x %u pixels", camera->columns,
+                            camera->rows);
+      return NO;
+    }
+  *window = (struct window){ (unsigned)crop[0], (unsigned)crop[1],
+                             (unsigned)crop[2], (unsigned)crop[3] };
+  return YES;
+}
+
+- (BOOL) wantsBar
+{
+  const struct settings *settings = &options->settings;
+
+  return settings->progress == PROGRESS_BAR
+    || (settings->progress == PROGRESS_AUTO && !settings->quiet
+        && isatty(STDERR_FILENO));
+}
+
+- (BOOL) trace: (NSError **)error
+{
+  const struct settings *settings = &options->settings;
+  struct render_options how = {
+    .threads = settings->threads ? (unsigned)settings->threads
+                                 : machine_cores(),
+    .seed = settings->seed,
+    .samples = (unsigned)settings->samples,
+    .sampler = (enum sampler)settings->sampler
+  };
+  struct window window;
+
+  if (![self setCamera: &window error: error])
+    {
+      return NO;
+    }
+  image = [[image_t alloc] init: model->camera->columns
+                               : model->camera->rows
+                         window: window
+                       surfaces: settings->aovs != 0
+                          error: error];
+  if (image == nil)
+    {
+      return NO;
+    }
+  render_t *render = [[render_t alloc] init: model into: image options: how];
+  [stats ended: PHASE_BUILD];
+  progress_t *bar = nil;
+  if ([self wantsBar])
+    {
+      bar = [(progress_t *)[progress_t alloc] init: render];
+    }
+  [render run];
+  [bar stop];
+  [bar release];
+  stats->counters = render->counters;
+  [render release];
+  nanCount = [image makeFinite];
+  [stats ended: PHASE_TRACE];
+  return YES;
+}
+
+- (NSData *) exr: (NSError **)error
+{
+  NSString *seed = [NSString stringWithFormat: @"%llu",
+                             (unsigned long long)options->settings.seed];
+  NSDictionary *attributes =
+    [NSDictionary dictionaryWithObjectsAndKeys:
+                    @"raytrace " RAYTRACE_VERSION, @"software",
+                  @RAYTRACE_VERSION, @"raytrace:version",
+                  [options pictureOptions], @"raytrace:options",
+                  seed, @"raytrace:seed",
+                  sceneHash, @"raytrace:sceneSHA256", nil];
+
+  return [exr_t fileOf: image
+                  aovs: (unsigned)options->settings.aovs
+            attributes: attributes
+                 error: error];
+}
+
+- (BOOL) write: (NSError **)error
+{
+  NSData *file = options->settings.format_scene
+    ? [canonical dataUsingEncoding: NSUTF8StringEncoding]
+    : options->format == FORMAT_EXR ? [self exr: error]
+    : options->format == FORMAT_PNG ? [png_t fileOf: image error: error]
+    : [ppm_t fileOf: image];
+  BOOL isWritten = file && [outfile write: file error: error];
+
+  [stats ended: PHASE_WRITE];
+  return isWritten;
+}
+
+@end

@@ -1,0 +1,13 @@
+// machine.h - what the program finds round itself.
+
+#import <Foundation/Foundation.h>
+
+/** How many cores this process may run on. */
+unsigned machine_cores(void);
+
+/** Bytes of memory in the machine. */
+double machine_memory(void);
+
+/** The folders of the program's own models, installed or in the source tree
+    (autoreleased). */
+NSArray *machine_models(void);

@@ -1,0 +1,46 @@
+// machine.m
+
+#define _GNU_SOURCE     // sched_getaffinity
+#import "machine.h"
+#include <limits.h>
+#include <sched.h>
+#include <unistd.h>
+
+unsigned
+machine_cores(void)
+{
+  cpu_set_t cores;
+
+  return sched_getaffinity(0, sizeof cores, &cores) == 0
+    ? (unsigned)CPU_COUNT(&cores) : 1;
+}
+
+double
+machine_memory(void)
+{
+  return (double)sysconf(_SC_PHYS_PAGES) * sysconf(_SC_PAGESIZE);
+}
+
+NSArray *
+machine_models(void)
+{
+  static NSString *const places[] = {
+    @"../share/raytrace/models", @"../models", @"../../models"
+  };
+  NSMutableArray *found = [NSMutableArray array];
+  char program[PATH_MAX + 1];
+  ssize_t length = readlink("/proc/self/exe", program, PATH_MAX);
+
+  program[length > 0 ? length : 0] = '\0';
+  NSString *folder = [[NSString stringWithUTF8String: program]
+                       stringByDeletingLastPathComponent];
+  for (unsigned i = 0; i < sizeof places / sizeof *places; i++)
+    {
+      NSString *models = [folder stringByAppendingPathComponent: places[i]];
+      if (access([models UTF8String], R_OK) == 0)
+        {
+          [found addObject: models];
+        }
+    }
+  return found;
+}

@@ -1,0 +1,175 @@
+// main.m - arguments, model, picture, file: job_t does it. Here alone are
+// errors told and is the program ended.
+
+#import "diag_t.h"
+#import "errors.h"
+#import "help.h"
+#import "job_t.h"
+#import "outfile_t.h"
+#include "version.h"
+#include <fcntl.h>
+#include <signal.h>
+#include <stdio.h>
+#include <unistd.h>
+
+/** Until it is complete nothing has a name (outfile_t), so the program may
+    end at any time. */
+static void
+interrupted(int number)
+{
+  static const char clear[] = "\r\033[K"; // the bar, the terminal's ^C
+  static const char message[] = "raytrace: interrupted\n";
+
+  if (isatty(STDERR_FILENO))
+    {
+      (void)!write(STDERR_FILENO, clear, sizeof clear - 1);
+    }
+  (void)!write(STDERR_FILENO, message, sizeof message - 1);
+  _exit(128 + number);
+}
+
+/** A closed pipe and a file that grows too large are errors of write. A
+    signal that our caller ignores (nohup) stays ignored. */
+static void
+handle_signals(void)
+{
+  static const int ends[] = { SIGINT, SIGTERM, SIGHUP };
+
+  signal(SIGPIPE, SIG_IGN);
+  signal(SIGXFSZ, SIG_IGN);
+  for (unsigned i = 0; i < sizeof ends / sizeof *ends; i++)
+    {
+      if (signal(ends[i], interrupted) == SIG_IGN)
+        {
+          signal(ends[i], SIG_IGN);
+        }
+    }
+}
+
+/** If a standard file is closed, no other may get its number, and writing to
+    it has to fail. */
+static void
+keep_standard_files(void)
+{
+  for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++)
+    {
+      if (fcntl(fd, F_GETFD) < 0)
+        {
+          (void)!open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+        }
+    }
+}
+
+static void
+tell(NSString *text)
+{
+  fprintf(stderr, "raytrace: %s\n", [text UTF8String]);
+}
+
+static int
+fail(NSError *error)
+{
+  tell(error_text(error));
+  return (int)[error code];
+}
+
+static int
+show(NSString *text)
+{
+  NSData *data = [text dataUsingEncoding: NSUTF8StringEncoding];
+  NSError *error = nil;
+  outfile_t *out = [[[outfile_t alloc] init: @"-" error: &error] autorelease];
+
+  return [out write: data error: &error] ? STATUS_DONE : fail(error);
+}
+
+/** Tells what there is to tell of the scene; the status if it has faults. */
+static int
+report(job_t *job, const struct settings *settings)
+{
+  BOOL hasFaults = [job->diag faultCount] > 0;
+
+  if (hasFaults || !settings->quiet)
+    {
+      fputs([[job->diag report] UTF8String], stderr);
+    }
+  return hasFaults ? STATUS_SCENE : STATUS_DONE;
+}
+
+static int
+run(job_t *job, const struct settings *settings)
+{
+  NSError *error = nil;
+
+  if (![job open: &error])
+    {
+      return fail(error);
+    }
+  BOOL isLoaded = [job load: &error];
+  if (report(job, settings) != STATUS_DONE)
+    {
+      return STATUS_SCENE;
+    }
+  if (!isLoaded)
+    {
+      return fail(error);
+    }
+  if (settings->verbose)
+    {
+      tell([job summary]);
+    }
+  if (!settings->check && !settings->format_scene && ![job trace: &error])
+    {
+      return fail(error);
+    }
+  if (job->nanCount > 0 && !settings->quiet)
+    {
+      tell([NSString stringWithFormat: @"warning: %lu numbers of the picture "
+                     @"were not a number (NaN); they are 0 now",
+                     (unsigned long)job->nanCount]);
+    }
+  if (!settings->check && ![job write: &error])
+    {
+      return fail(error);
+    }
+  if (settings->stats)
+    {
+      fputs([settings->stats == STATS_JSON ? [job->stats json]
+              : [job->stats text] UTF8String], stderr);
+    }
+  return STATUS_DONE;
+}
+
+int
+main(int argc, char **argv)
+{
+  keep_standard_files();
+  handle_signals();
+  NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
+  options_t *options = [[options_t alloc] init];
+  NSString *wrong = [options read: argc : argv];
+  int status;
+
+  if (wrong)
+    {
+      tell(wrong);
+      status = STATUS_USAGE;
+    }
+  else if (options->settings.help)
+    {
+      status = show(help_text());
+    }
+  else if (options->settings.version)
+    {
+      status = show(@"raytrace " RAYTRACE_VERSION "\n");
+    }
+  else
+    {
+      job_t *job = [[job_t alloc] init: options];
+      status = run(job, &options->settings);
+      [job release];
+    }
+  [options release];
+  [pool release];
+  return status;
+}

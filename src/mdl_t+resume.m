@@ -1,0 +1,137 @@
+#import "mdl_t.h"
+#import "diag_t.h"
+#include "attribute_check.h"
+
+// So many words after a fault are compared with attributes.
+#define COMPARED 16
+
+@implementation mdl_t (resume)
+
+- (BOOL) isDirective: (struct token)t
+{
+  return token_is(t, "include") || token_is(t, "background");
+}
+
+- (BOOL) looksLikeBlock: (struct cursor)cursor
+{
+  return token_is_word(token_next(&cursor))
+    && token_is_word(token_next(&cursor))
+    && token_is(token_next(&cursor), "{");
+}
+
+- (BOOL) isBlockAt: (struct cursor)cursor
+{
+  return [self looksLikeBlock: cursor]
+    && [store kindFor: token_peek(cursor)] != KIND_UNKNOWN;
+}
+
+- (BOOL) isClosed
+{
+  if (next_brace == NULL || next_brace < text->cursor.at
+      || next_brace >= text->cursor.text + [text source]->length
+      || next_brace < text->cursor.text)
+    {
+      struct cursor ahead = text->cursor;
+      struct token t;
+      do
+        {
+          t = token_next(&ahead);
+        }
+      while (token_is_word(t));
+      next_brace = t.at;
+    }
+  return *next_brace == '}';
+}
+
+/** Whether a word may have been meant to be an attribute of the block. */
+- (BOOL) isNearAttribute: (struct token)t
+{
+  return t.length > 1 && t.length <= LONGEST_WORD && ![self isNumber: t]
+    && [diag_t nearestTo: reader_string(t)
+                   among: attribute_names(kind.table)] != nil;
+}
+
+/** Goes past words, and past braces with all they hold, to something that can
+    be read. A block of a known kind is that wherever it is: the braces round
+    it are open_braces then. */
+- (void) resume: (BOOL)is_inside words: (unsigned *)words
+          block: (struct token *)block
+{
+  struct cursor last[2];        // the last two words since a brace
+  unsigned depth = 0, count = 0, compared = 0;
+
+  for (;;)
+    {
+      struct cursor here = text->cursor;
+      struct token t = token_next(&text->cursor);
+
+      if (t.length == 0 || (depth == 0 && is_inside && token_is(t, "}")))
+        {
+          text->cursor = here;
+          if (depth > 0)
+            {
+              FAULT(t.at, @"expected '}', found the end of the file");
+            }
+          return;
+        }
+      if (token_is(t, "}"))
+        {
+          count = 0;
+          depth -= depth > 0;
+          if (depth == 0 && !is_inside)
+            {
+              return;
+            }
+        }
+      else if (token_is(t, "{"))
+        {
+          if (count >= 2 && [self isBlockAt: last[0]])
+            {
+              text->cursor = last[0];
+              open_braces += depth;
+              return;
+            }
+          if (depth++ == 0 && count > 0)
+            {
+              *block = token_peek(last[1]);
+            }
+          count = 0;
+        }
+      else
+        {
+          if (depth == 0
+              && ([self isDirective: t]
+                  || (is_inside && attribute_named(kind.table, t))
+                  || (is_inside && compared++ < COMPARED
+                      && [self isNearAttribute: t])))
+            {
+              text->cursor = here;
+              return;
+            }
+          *words += depth == 0;
+          count++;
+          last[0] = last[1];
+          last[1] = here;
+        }
+    }
+}
+
+- (struct token) resumeOutside
+{
+  struct token block = { NULL, 0 };
+  unsigned words = 0;
+
+  [self resume: NO words: &words block: &block];
+  return block;
+}
+
+- (unsigned) resumeInside
+{
+  struct token block;
+  unsigned words = 0;
+
+  [self resume: YES words: &words block: &block];
+  return words;
+}
+
+@end

@@ -1,0 +1,189 @@
+#import "mdl_t.h"
+#import "diag_t.h"
+#import "nff_t.h"
+#include "attribute_check.h"
+
+@implementation mdl_t
+
+- (id) init: (text_t *)theText into: (store_t *)theStore
+       diag: (diag_t *)theDiag includePath: (NSArray *)path
+{
+  if ((self = [super init: theText into: theStore diag: theDiag]))
+    {
+      include_path = [path retain];
+    }
+  return self;
+}
+
+- (void) dealloc
+{
+  [include_path release];
+  [super dealloc];
+}
+
+- (NSString *) owner
+{
+  return kind.table == NULL ? @""
+    : name.length == 0
+    ? [NSString stringWithFormat: @" of the %@", reader_string(kind.word)]
+    : [NSString stringWithFormat: @" of %@ %@", reader_string(kind.word),
+                [self quote: name]];
+}
+
+- (BOOL) endsValues: (struct token)t
+{
+  return kind.table ? attribute_named(kind.table, t) != NULL
+    : [self isDirective: t] || [store kindFor: t] != KIND_UNKNOWN;
+}
+
+- (BOOL) enter: (source_t *)source from: (unsigned)order
+{
+  [text enter: source from: order];
+  if (!source->is_text)
+    {
+      FAULT(source->text + source->length, @"expected text in UTF-8, found"
+            @" the byte 0x%02x: this is not a text file",
+            (unsigned char)source->text[source->length]);
+      store->is_partial = YES;
+      return NO;
+    }
+  if ([source->name hasSuffix: @".nff"])
+    {
+      nff_t *nff = [[nff_t alloc] init: text into: store diag: diag];
+      [nff read];
+      [nff release];
+    }
+  return YES;
+}
+
+/** Reads `background r g b`, from behind that word. */
+- (void) readBackground: (struct token)word
+{
+  static const struct attribute background =
+    { .name = "background", .kind = ATTRIBUTE_COLOR };
+  struct value values[3];
+  struct token t;
+
+  if (store->has_background)
+    {
+      FAULT(word.at, @"second background, expected one in the whole model;"
+            @" the first is at %@",
+            [diag nameOf: [text placeAt: store->background_order]]);
+    }
+  else
+    {
+      store->has_background = YES;
+      store->background_order = [self orderOf: word];
+    }
+  if ([self read: &background into: values])
+    {
+      store->background = k_vec(values[0].number, values[1].number,
+                                values[2].number);
+      t = token_peek(text->cursor);
+      if ([self isNumber: t])
+        {
+          FAULT(t.at, @"expected 3 numbers for background, found one more:"
+                @" %@", [self quote: t]);
+        }
+      while ([self isNumber: token_peek(text->cursor)])
+        {
+          token_next(&text->cursor);
+        }
+      return;
+    }
+  // Past the rest of the values, up to what looks like something else.
+  for (t = token_peek(text->cursor);
+       token_is_word(t) && ![self endsValues: t]
+         && ![self looksLikeBlock: text->cursor];
+       t = token_peek(text->cursor))
+    {
+      token_next(&text->cursor);
+    }
+}
+
+/** A word that is no keyword. What it was meant to be must not be missed
+    later. */
+- (void) refuseWord: (struct token)t
+{
+  store->is_sound = NO;
+  if ([self wantsFault: t.at])
+    {
+      NSArray *words = [[store words] arrayByAddingObjectsFromArray:
+        [NSArray arrayWithObjects: @"include", @"background", nil]];
+      NSString *meant = t.length > LONGEST_WORD ? nil
+        : [diag_t nearestTo: reader_string(t) among: words];
+
+      [self fault: t.at : @"unknown keyword %@%@", [self quote: t],
+            [self advise: t among: words]];
+      store->has_camera |= [meant isEqual: @"camera"];
+      store->is_partial |= [meant isEqual: @"include"];
+    }
+
+  struct token block = [self resumeOutside];
+
+  [store begin: KIND_UNKNOWN at: [self orderOf: t]
+          name: block.length ? block : t at: [self orderOf: t]];
+  [store enter];
+}
+
+- (void) readItem: (struct token)t
+{
+  unsigned kind_number;
+
+  if (token_is(t, "}"))
+    {
+      if (open_braces)
+        {
+          open_braces--;
+          return;
+        }
+      FAULT(t.at, @"expected a block or a directive, found '}' without a"
+            @" '{' before it");
+    }
+  else if (token_is(t, "{"))
+    {
+      FAULT(t.at, @"expected a keyword and a name before '{'");
+      store->is_sound = NO;
+      text->cursor.at = t.at;
+      [self resumeOutside];
+    }
+  else if (token_is(t, "include"))
+    {
+      [self readInclude];
+    }
+  else if (token_is(t, "background"))
+    {
+      [self readBackground: t];
+    }
+  else if ((kind_number = [store kindFor: t]) != KIND_UNKNOWN)
+    {
+      [self readBlock: kind_number keyword: t];
+    }
+  else
+    {
+      [self refuseWord: t];
+    }
+}
+
+- (void) read: (source_t *)source
+{
+  if (![self enter: source from: 0])
+    {
+      return;
+    }
+  for (;;)
+    {
+      struct token t = token_next(&text->cursor);
+
+      if (t.length > 0)
+        {
+          [self readItem: t];
+        }
+      else if (![text leave])
+        {
+          return;
+        }
+    }
+}
+
+@end

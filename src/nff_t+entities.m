@@ -1,0 +1,68 @@
+#import "nff_t.h"
+#import "diag_t.h"
+#include "attribute_check.h"
+
+@implementation nff_t (entities)
+
+- (struct record *) begin: (unsigned)kind : (const char *)prefix
+                         : (unsigned)number
+{
+  unsigned order = [self orderOf: letter];
+  struct token name = [store make: prefix : number];
+  struct record *record = [store begin: kind at: order name: name at: order];
+  unsigned other = [store enter];
+
+  if (other != NO_RECORD)
+    {
+      record->is_faulty = YES;
+      FAULT(letter.at, @"the name of this %@, %@, is taken at %@",
+            reader_string(store->kinds[kind].word), reader_string(name),
+            [diag nameOf: [text placeAt: store->records[other].name_order]]);
+    }
+  return record;
+}
+
+- (void) give: (const char *)name : (const struct value *)values
+{
+  unsigned kind = store->records[store->record_count - 1].kind;
+  struct token word = { name, strlen(name) };
+
+  [store give: attribute_named(store->kinds[kind].table, word)
+           at: values[0].order values: values];
+}
+
+- (struct value) valueOf: (struct token)word
+{
+  return (struct value){ .word = word.at, .length = (unsigned)word.length,
+                         .order = [self orderOf: letter] };
+}
+
+- (const char *) at: (const struct value *)value
+{
+  return text->cursor.text + (value->order - text->cursor.shift);
+}
+
+/** A letter that NFF does not have, or that nothing is made of. */
+- (BOOL) refuse
+{
+  BOOL is_cone = token_is(letter, "c");
+
+  FAULT(letter.at, @"%@ %@; expected v, b, l, f, s, p or pp",
+        is_cone ? @"no shape for the cone" : @"unknown entity",
+        [self quote: letter]);
+  return NO;
+}
+
+- (BOOL) readEntity
+{
+  return token_is(letter, "s") ? [self readSphere]
+    : token_is(letter, "p") ? [self readPolygon: NO]
+    : token_is(letter, "pp") ? [self readPolygon: YES]
+    : token_is(letter, "f") ? [self readFill]
+    : token_is(letter, "l") ? [self readLight]
+    : token_is(letter, "v") ? [self readView]
+    : token_is(letter, "b") ? [self readBackground]
+    : [self refuse];
+}
+
+@end

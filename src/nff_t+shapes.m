@@ -1,0 +1,167 @@
+#import "nff_t.h"
+#import "diag_t.h"
+#include "attribute_check.h"
+#include "grow.h"
+#include "nff_solids.h"
+#include "number.h"
+
+@implementation nff_t (shapes)
+
+/** Multiplies a colour. NO, with a fault, if that gets too large. */
+- (BOOL) scale: (struct value *)rgb by: (const struct value *)k
+{
+  for (unsigned channel = 0; channel < 3; channel++)
+    {
+      double *c = &rgb[channel].number;
+
+      *c *= k->number;
+      if (number_range(*c) == NUMBER_TOO_LARGE)
+        {
+          FAULT([self at: k], @"expected less: this times the colour is beyond 2^400");
+          return NO;
+        }
+      *c = number_range(*c) == NUMBER_GOOD ? *c : 0;
+    }
+  return YES;
+}
+
+- (BOOL) readFill
+{
+  static const struct attribute table[] = {
+    { .name = "the colour", .kind = ATTRIBUTE_COLOR },
+    { .name = "Kd", .range = RANGE_NOT_NEGATIVE },
+    { .name = "Ks", .range = RANGE_NOT_NEGATIVE },
+    { .name = "shine", .range = RANGE_NOT_NEGATIVE },
+    { .name = "T", .range = RANGE_BETWEEN, .least = 0, .most = 1 },
+    { .name = "the index of refraction", .range = RANGE_NOT_NEGATIVE },
+    { .name = NULL }
+  };
+  struct value values[6][3], specular[3];
+  struct value *Kd = values[1], *Ks = values[2], *T = values[4];
+  struct value *index = values[5];
+  BOOL is_good = YES;
+
+  for (const struct attribute *a = table; a->name && is_good; a++)
+    {
+      is_good = [self read: a into: values[a - table]];
+    }
+  fill = [self begin: KIND_MATERIAL : "f" : ++fills]->name;
+  if (!is_good)
+    {
+      return NO;
+    }
+  if (index->number == 0 && T->number == 0)
+    {
+      index->number = 1;        // many files give an opaque fill no index
+    }
+  if (index->number == 0)
+    {
+      FAULT([self at: index], @"expected a number > 0 for the index of"
+            @" refraction%@, found 0", [self owner]);
+      return NO;
+    }
+  alpha = T->number;
+  ior = index->number;
+  memcpy(specular, values[0], sizeof specular);
+  if (![self scale: values[0] by: Kd] || ![self scale: specular by: Ks])
+    {
+      return NO;
+    }
+  [self give: "diffuse" : values[0]];
+  [self give: "specular" : specular];
+  [self give: "shininess" : values[3]];
+  [self give: "alpha" : T];
+  [self give: "ior" : index];
+  return YES;
+}
+
+/** Whether there is a fill for a shape; a fault if not, but once only. */
+- (BOOL) hasFill
+{
+  if (fill.length == 0 && !lacks_fill)
+    {
+      lacks_fill = YES;
+      FAULT(letter.at, @"expected an f before the first s, p or pp");
+    }
+  return fill.length > 0;
+}
+
+/** Adds the block of a shape and its material. */
+- (struct record *) beginShape: (const char *)word : (const char *)prefix
+                              : (unsigned)number
+{
+  struct token t = { word, strlen(word) };
+  struct record *record = [self begin: [store kindFor: t] : prefix : number];
+  struct value material = [self valueOf: fill];
+
+  [self give: "material" : &material];
+  return record;
+}
+
+- (BOOL) readSphere
+{
+  static const struct attribute center =
+    { .name = "the center", .kind = ATTRIBUTE_POINT };
+  static const struct attribute radius =
+    { .name = "the radius", .range = RANGE_POSITIVE };
+  struct value xyz[3], r;
+  BOOL has_fill = [self hasFill];
+
+  spheres++;
+  if (![self read: &center into: xyz] || ![self read: &radius into: &r])
+    {
+      return NO;
+    }
+  if (has_fill)
+    {
+      [self beginShape: "sphere" : "s" : spheres];
+      [self give: "center" : xyz];
+      [self give: "radius" : &r];
+    }
+  return YES;
+}
+
+- (BOOL) readPolygon: (BOOL)has_normals
+{
+  static const struct attribute corners =
+    { .name = "the number of vertices", .kind = ATTRIBUTE_WHOLE,
+      .range = RANGE_BETWEEN, .least = 3, .most = 1000000000 };
+  static const struct attribute vertex =
+    { .name = "a vertex", .kind = ATTRIBUTE_POINT };
+  static const struct attribute normal =
+    { .name = "a normal", .kind = ATTRIBUTE_POINT };
+  struct value n, solid, xyz[3], dropped[3];
+  BOOL has_fill = [self hasFill];
+
+  polygons++;
+  if (![self read: &corners into: &n])
+    {
+      return NO;
+    }
+
+  struct record *record = [self beginShape: "polygon" : "p" : polygons];
+  struct nff_face face = {
+    .record = store->record_count - 1, .fill = fills, .alpha = alpha,
+    .ior = ior, .count = (unsigned)n.number
+  };
+
+  solid = [self valueOf: letter];
+  [self give: "solid" : &solid];
+  face.vertex = store->value_count;
+  for (unsigned i = 0; i < face.count; i++)
+    {
+      if (![self read: &vertex into: xyz]
+          || (has_normals && ![self read: &normal into: dropped]))
+        {
+          record->is_faulty = YES;
+          return NO;
+        }
+      [self give: "vertex" : xyz];
+    }
+  record->is_faulty |= !has_fill;
+  grow((void **)&faces, face_count, &face_capacity, sizeof face);
+  faces[face_count++] = face;
+  return YES;
+}
+
+@end

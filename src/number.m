@@ -1,0 +1,116 @@
+#define _GNU_SOURCE             // strtod_l
+#include "number.h"
+#include <errno.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/** The fast way for short decimal numbers. The digits make a whole number
+    below 2^53 and the power of ten is one of those that a double holds
+    exactly, so that the one operation is correctly rounded: what strtod gives
+    (Clinger, "How to Read Floating Point Numbers Accurately", 1990). 0 if the
+    number is not as simple as that. */
+static int
+read_short(const char *p, const char *end, double *value)
+{
+  static const double powers[] = {
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13,
+    1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22
+  };
+  int is_negative = *p == '-', digits = 0, decimals = 0, seen_point = 0;
+  uint64_t whole = 0;
+
+  p += *p == '-' || *p == '+';
+  if (end - p > 17)
+    {
+      return 0;
+    }
+  for (; p < end; p++)
+    {
+      if (*p >= '0' && *p <= '9')
+        {
+          whole = 10 * whole + (*p - '0');
+          digits++;
+          decimals += seen_point;
+        }
+      else if (*p == '.' && !seen_point)
+        {
+          seen_point = 1;
+        }
+      else
+        {
+          return 0;
+        }
+    }
+  if (digits == 0 || whole > (uint64_t)1 << 53)
+    {
+      return 0;
+    }
+  double magnitude = whole / powers[decimals];
+  *value = is_negative ? -magnitude : magnitude;
+  return 1;
+}
+
+enum number_result
+number_range(double value)
+{
+  double magnitude = fabs(value);
+
+  return magnitude > 0x1p400 ? NUMBER_TOO_LARGE
+    : magnitude < 0x1p-400 && magnitude != 0 ? NUMBER_TOO_SMALL : NUMBER_GOOD;
+}
+
+enum number_result
+number_read(const char *at, size_t length, locale_t c, double *value)
+{
+  const char *end = at + length;
+  char *stop;
+
+  if (!read_short(at, end, value))
+    {
+      errno = 0;
+      *value = strtod_l(at, &stop, c);
+      if (stop != end || length == 0 || isnan(*value)
+          || (isinf(*value) && errno != ERANGE))
+        {
+          return NUMBER_NONE;
+        }
+      if (*value == 0 && errno == ERANGE)
+        {
+          return NUMBER_TOO_SMALL;
+        }
+    }
+  return number_range(*value);
+}
+
+int
+number_read_whole(const char *at, size_t length, double *value)
+{
+  *value = 0;
+  for (size_t i = 0; i < length; i++)
+    {
+      if (at[i] < '0' || at[i] > '9')
+        {
+          return 0;
+        }
+      *value = fmin(10 * *value + (at[i] - '0'), 1e15);
+    }
+  return length > 0;
+}
+
+void
+number_write(double value, locale_t c, char text[32])
+{
+  locale_t before = uselocale(c);
+
+  for (int digits = 15; digits <= 17; digits++)
+    {
+      snprintf(text, 32, "%.*g", digits, value);
+      if (strtod(text, NULL) == value)
+        {
+          break;
+        }
+    }
+  uselocale(before);
+}

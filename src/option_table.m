@@ -1,0 +1,93 @@
+// option_table.m - all options of the command line.
+
+#import "option.h"
+#include <stddef.h>
+
+#define AT(member) offsetof(struct settings, member)
+#define MILLION 1000000
+
+const struct option option_table[] = {
+  { .heading = "Output",
+    .letter = 'o', .name = "output", .value = "FILE", .kind = OPTION_TEXT,
+    .offset = AT(output),
+    .help = "write the picture to FILE: .exr (float, linear), .png or .ppm"
+            " (8 bits); - is standard output, as .ppm" },
+  { .name = "aov", .value = "LIST", .kind = OPTION_WORDS, .offset = AT(aovs),
+    .words = "depth normal object",
+    .help = "more channels for an .exr: depth (Z), normal (N.X N.Y N.Z),"
+            " object (id), with commas between" },
+
+  { .heading = "Picture",
+    .letter = 'r', .name = "resolution", .value = "WxH",
+    .kind = OPTION_WHOLE, .offset = AT(size), .count = 2, .separator = 'x',
+    .least = 1, .most = MILLION, .is_shaping = YES,
+    .help = "columns and rows, in place of the camera's pixeldim" },
+  { .name = "crop", .value = "X0,Y0,X1,Y1", .kind = OPTION_WHOLE,
+    .offset = AT(crop), .count = 4, .separator = ',', .most = MILLION,
+    .standard = NO_CROP,
+    .help = "only the pixels from column X0 and row Y0, counted from the top"
+            " left corner, up to but without X1 and Y1" },
+  { .name = "samples", .value = "N", .kind = OPTION_WHOLE,
+    .offset = AT(samples), .count = 1, .least = 1, .most = MILLION,
+    .standard = 1, .is_shaping = YES, .help = "rays through each pixel" },
+  { .name = "sampler", .value = "WORD", .kind = OPTION_WORD,
+    .offset = AT(sampler), .words = "random grid", .is_shaping = YES,
+    .help = "where in a pixel they go, for more than one: random, or grid"
+            " (N x N of them)" },
+  { .name = "exposure", .value = "N", .kind = OPTION_WHOLE,
+    .offset = AT(exposure), .count = 1, .least = 1, .most = MILLION,
+    .is_shaping = YES,
+    .help = "rays through the lens for each sample, in place of the"
+            " camera's exposure" },
+  { .name = "seed", .value = "N", .kind = OPTION_WHOLE, .offset = AT(seed),
+    .count = 1, .most = UINT64_MAX,
+    .help = "another seed, other random numbers" },
+
+  { .heading = "Tracing",
+    .name = "max-depth", .value = "N", .kind = OPTION_WHOLE,
+    .offset = AT(max_depth), .count = 1, .most = 1000, .standard = 5,
+    .is_shaping = YES,
+    .help = "deepest generation of reflected and refracted rays; eye rays"
+            " are generation 0" },
+  { .name = "polygon-test", .value = "WORD", .kind = OPTION_WORD,
+    .offset = AT(polygon_test), .words = "crossings edges angles",
+    .is_shaping = YES,
+    .help = "how to tell that a point is in a polygon: crossings, edges"
+            " (convex polygons only) or angles" },
+  { .name = "engine", .value = "WORD", .kind = OPTION_WORD,
+    .offset = AT(engine), .words = "notes",
+    .help = "who traces: notes, the objects of the notes" },
+  { .letter = 'j', .name = "threads", .value = "N", .kind = OPTION_WHOLE,
+    .offset = AT(threads), .count = 1, .most = 1024,
+    .help = "threads that trace, 0 for one per core; the picture does not"
+            " depend on it" },
+
+  { .heading = "Scene",
+    .letter = 'I', .name = "include-path", .value = "DIR",
+    .kind = OPTION_TEXTS, .offset = AT(includes),
+    .help = "look for included files in DIR too; may be repeated" },
+  { .name = "check", .kind = OPTION_FLAG, .offset = AT(check),
+    .help = "only read the scene and tell its faults" },
+  { .name = "format-scene", .kind = OPTION_FLAG, .offset = AT(format_scene),
+    .help = "write the scene in canonical form, to FILE or standard"
+            " output" },
+
+  { .heading = "Messages, on standard error",
+    .name = "stats", .value = "WORD", .kind = OPTION_WORD,
+    .offset = AT(stats), .words = "none text json", .may_be_bare = YES,
+    .help = "tell times and numbers of rays at the end, as text or as one"
+            " JSON object" },
+  { .name = "progress", .value = "WORD", .kind = OPTION_WORD,
+    .offset = AT(progress), .words = "auto bar none",
+    .help = "show how much is done: auto is a bar on a terminal and nothing"
+            " elsewhere" },
+  { .letter = 'q', .name = "quiet", .kind = OPTION_FLAG, .offset = AT(quiet),
+    .help = "no warnings, no bar unless asked for" },
+  { .letter = 'v', .name = "verbose", .kind = OPTION_FLAG,
+    .offset = AT(verbose), .help = "tell what was read" },
+  { .letter = 'h', .name = "help", .kind = OPTION_FLAG, .offset = AT(help),
+    .help = "this text, on standard output" },
+  { .name = "version", .kind = OPTION_FLAG, .offset = AT(version),
+    .help = "the version, on standard output" },
+  { .name = NULL }
+};

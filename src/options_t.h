@@ -1,0 +1,62 @@
+// options_t.h - the command line: read by one table of options, from which
+// the text of --help is made as well.
+
+#import <Foundation/Foundation.h>
+
+enum format
+{
+  FORMAT_NONE,          // no picture is written
+  FORMAT_EXR,
+  FORMAT_PNG,
+  FORMAT_PPM
+};
+
+enum progress
+{
+  PROGRESS_AUTO,        // a bar when standard error is a terminal
+  PROGRESS_BAR,
+  PROGRESS_NONE
+};
+
+enum stats
+{
+  STATS_NONE,
+  STATS_TEXT,
+  STATS_JSON
+};
+
+#define NO_CROP UINT64_MAX
+
+/** What the options say. Numbers are 64 bits, so that one reader serves all;
+    they are within the range that --help gives. */
+struct settings
+{
+  NSString *output;             // nil: not given; "-": standard output
+  uint64_t size[2];             // columns, rows; 0 0: the model's
+  uint64_t crop[4];             // x0 y0 x1 y1; x0 NO_CROP: not given
+  uint64_t aovs;                // sum of enum aov
+  uint64_t seed, samples, sampler, exposure;    // exposure 0: the model's
+  uint64_t max_depth, polygon_test, engine;
+  uint64_t threads;             // 0: all cores
+  NSMutableArray *includes;     // folders, in the order given
+  uint64_t check, format_scene;
+  uint64_t stats, progress, quiet, verbose, help, version;
+};
+
+@interface options_t : NSObject
+{
+@public
+  struct settings settings;
+  enum format format;           // of the output, by its suffix
+  NSString *scene;              // nil with --help and --version only
+}
+
+/** Reads the arguments of main. Afterwards they are complete and agree with
+    each other. nil, or what is wrong with them (autoreleased). */
+- (NSString *) read: (int)argc : (char **)argv;
+
+/** The options that a picture depends on beside its scene, written so that
+    they give the same picture again. --seed is not among them. */
+- (NSString *) pictureOptions;
+
+@end

@@ -1,0 +1,242 @@
+// options_t.m
+
+#import "options_t.h"
+#import "diag_t.h"
+#import "option.h"
+#include <string.h>
+
+static NSString *
+unknown_option(NSString *name)
+{
+  NSMutableArray *names = [NSMutableArray array];
+
+  for (const struct option *o = option_table; o->name; o++)
+    {
+      [names addObject: option_name(o)];
+    }
+  return [NSString stringWithFormat: @"unknown option '%@'%@", name,
+                   [diag_t suggestionFor: name among: names]];
+}
+
+static BOOL
+is_square(uint64_t n)
+{
+  uint64_t root = llround(sqrt(n));
+
+  return root * root == n;
+}
+
+@implementation options_t
+
+- (id) init
+{
+  self = [super init];
+  if (self)
+    {
+      option_reset(&settings);
+      settings.includes = [[NSMutableArray alloc] init];
+    }
+  return self;
+}
+
+- (void) dealloc
+{
+  [settings.output release];
+  [settings.includes release];
+  [scene release];
+  [super dealloc];
+}
+
+/** --name, --name=value, --name value. *next is what follows, nil for
+    nothing; it becomes nil when it is taken as the value. */
+- (NSString *) readLong: (NSString *)argument next: (NSString **)next
+{
+  NSRange equals = [argument rangeOfString: @"="];
+  NSString *name = argument, *value = nil;
+
+  if (equals.length > 0)
+    {
+      name = [argument substringToIndex: equals.location];
+      value = [argument substringFromIndex: NSMaxRange(equals)];
+    }
+  const struct option *option = option_written(name);
+  if (option == NULL)
+    {
+      return unknown_option(name);
+    }
+  if (value == nil && option_wants_value(option))
+    {
+      value = *next;
+      *next = nil;
+    }
+  return option_take(option, value, &settings);
+}
+
+/** -q, -qv, -j4, -j 4. */
+- (NSString *) readShort: (NSString *)argument next: (NSString **)next
+{
+  for (NSUInteger i = 1; i < [argument length]; i++)
+    {
+      NSString *letter = [argument substringWithRange: NSMakeRange(i, 1)];
+      NSString *name = [@"-" stringByAppendingString: letter];
+      const struct option *option = option_written(name);
+      NSString *value = nil;
+      if (option == NULL)
+        {
+          return [NSString stringWithFormat: @"unknown option '%@'", name];
+        }
+      if (option_wants_value(option))
+        {
+          value = [argument substringFromIndex: i + 1];
+          if ([value length] == 0)
+            {
+              value = *next;
+              *next = nil;
+            }
+          i = [argument length];
+        }
+      NSString *wrong = option_take(option, value, &settings);
+      if (wrong)
+        {
+          return wrong;
+        }
+    }
+  return nil;
+}
+
+/** What each argument by itself says. */
+- (NSString *) readAll: (NSArray *)arguments
+{
+  NSUInteger count = [arguments count];
+  BOOL areOptions = YES;
+
+  for (NSUInteger i = 0; i < count; i++)
+    {
+      NSString *argument = [arguments objectAtIndex: i];
+      NSString *next = i + 1 < count ? [arguments objectAtIndex: i + 1] : nil;
+      NSString *following = next, *wrong = nil;
+
+      if (areOptions && [argument isEqual: @"--"])
+        {
+          areOptions = NO;
+        }
+      else if (areOptions && [argument hasPrefix: @"--"])
+        {
+          wrong = [self readLong: argument next: &next];
+        }
+      else if (areOptions && [argument hasPrefix: @"-"]
+               && [argument length] > 1)
+        {
+          wrong = [self readShort: argument next: &next];
+        }
+      else if (scene)
+        {
+          wrong = [NSString stringWithFormat:
+                              @"one scene at a time, not '%@' and '%@'",
+                            scene, argument];
+        }
+      else
+        {
+          scene = [argument copy];
+        }
+      if (wrong)
+        {
+          return wrong;
+        }
+      i += next != following;
+    }
+  return nil;
+}
+
+- (enum format) formatOfOutput
+{
+  NSString *name = [settings.output lowercaseString];
+
+  return [name hasSuffix: @".exr"] ? FORMAT_EXR
+    : [name hasSuffix: @".png"] ? FORMAT_PNG
+    : [name hasSuffix: @".ppm"] || [name isEqual: @"-"] ? FORMAT_PPM
+    : FORMAT_NONE;
+}
+
+/** What is missing, or does not go together. */
+- (NSString *) disagreement
+{
+  const uint64_t *crop = settings.crop;
+
+  if (settings.help || settings.version)
+    {
+      return nil;
+    }
+  if (scene == nil)
+    {
+      return @"no scene given; see 'raytrace --help'";
+    }
+  if (settings.check && settings.format_scene)
+    {
+      return @"options '--check' and '--format-scene' exclude each other";
+    }
+  if (crop[0] != NO_CROP && (crop[0] >= crop[2] || crop[1] >= crop[3]))
+    {
+      return @"option '--crop' takes X0,Y0,X1,Y1 with X0 < X1 and Y0 < Y1";
+    }
+  if (settings.sampler == 1 && !is_square(settings.samples))
+    {
+      return [NSString stringWithFormat: @"sampler grid takes a square number "
+                       @"of samples (1, 4, 9, 16 ...), not %llu",
+                       (unsigned long long)settings.samples];
+    }
+  if (settings.check || settings.format_scene)
+    {
+      return nil;
+    }
+  if (settings.output == nil)
+    {
+      return @"no output given: -o FILE, or -o - for standard output";
+    }
+  format = [self formatOfOutput];
+  if (format == FORMAT_NONE)
+    {
+      return [NSString stringWithFormat: @"output '%@' has an unknown suffix; "
+                       @"known are .exr, .png and .ppm", settings.output];
+    }
+  if (settings.aovs && format != FORMAT_EXR)
+    {
+      return @"option '--aov' needs an output in .exr";
+    }
+  return nil;
+}
+
+- (NSString *) read: (int)argc : (char **)argv
+{
+  NSMutableArray *arguments = [NSMutableArray array];
+
+  for (int i = 1; i < argc; i++)
+    {
+      NSString *argument = [NSString stringWithUTF8String: argv[i]];
+      if (argument == nil)
+        {
+          return [NSString stringWithFormat: @"argument %d is not UTF-8", i];
+        }
+      [arguments addObject: argument];
+    }
+  NSString *wrong = [self readAll: arguments];
+  return wrong ? wrong : [self disagreement];
+}
+
+- (NSString *) pictureOptions
+{
+  NSMutableArray *words = [NSMutableArray array];
+
+  for (const struct option *o = option_table; o->name; o++)
+    {
+      NSString *value = o->is_shaping ? option_value(o, &settings) : nil;
+      if (value)
+        {
+          [words addObject: option_name(o)];
+          [words addObject: value];
+        }
+    }
+  return [words componentsJoinedByString: @" "];
+}
+
+@end

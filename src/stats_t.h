@@ -1,0 +1,37 @@
+// stats_t.h - what a run took: seconds by phase, and the counters of the
+// rays. --stats shows it.
+
+#import <Foundation/Foundation.h>
+#include "counters.h"
+
+enum phase
+{
+  PHASE_LOAD,           // reading the scene
+  PHASE_BUILD,          // getting ready: memory for the picture, the renderer
+  PHASE_TRACE,
+  PHASE_WRITE,          // making the file's bytes and writing them
+  PHASES
+};
+
+@interface stats_t : NSObject
+{
+@public
+  double seconds[PHASES];
+  struct counters counters;
+@protected
+  double mark;          // when the last phase ended
+}
+
+/** The time since the last call, or since init, belonged to this phase. */
+- (void) ended: (enum phase)phase;
+
+/** Lines for people (autoreleased). */
+- (NSString *) text;
+
+/** One line, a JSON object (autoreleased):
+    {"seconds": {"load": …, "build": …, "trace": …, "write": …},
+    "rays": {"eye": …, "reflection": …, "refraction": …, "feeler": …},
+    "tests": …, "escapes": …} */
+- (NSString *) json;
+
+@end

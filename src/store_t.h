@@ -1,0 +1,110 @@
+// store_t.h - all blocks of a model as they were read: plain arrays, filled
+// once by a reader and read by block_t. Words are pieces of the text, which
+// has to live as long; a place is an order in it (text_t.h).
+
+#import <Foundation/Foundation.h>
+#include "attribute.h"
+#include "kernel/k_vec.h"
+#include "token.h"
+
+/** A block word. Numbers of kinds: see below, the shapes follow. */
+struct kind
+{
+  struct token word;
+  Class class;
+  const struct attribute *table;
+};
+
+enum
+{
+  KIND_UNKNOWN,         // blocks of this kind are there for their names only
+  KIND_CAMERA,
+  KIND_LIGHT,
+  KIND_MATERIAL,
+  KIND_SHAPES
+};
+
+/** One value after an attribute. */
+struct value
+{
+  union
+  {
+    double number;
+    const char *word;
+  };
+  unsigned length;      // of the word
+  unsigned order;
+};
+
+/** One attribute that was given. */
+struct given
+{
+  unsigned attribute;   // its number in the table
+  unsigned order;
+  unsigned value;       // number of its first value
+};
+
+/** One block. */
+struct record
+{
+  unsigned kind;
+  unsigned order;       // of the keyword
+  struct token name;    // of length 0: there is none
+  unsigned name_order;
+  unsigned given;       // number of the first attribute given
+  unsigned given_count;
+  BOOL is_faulty;
+};
+
+#define NO_RECORD UINT_MAX
+
+@interface store_t : NSObject
+{
+@public
+  struct kind *kinds;
+  struct record *records;
+  struct given *givens;
+  struct value *values;
+  unsigned kind_count, record_count, given_count, value_count;
+  struct k_vec background;
+  BOOL has_background;
+  unsigned background_order;
+  unsigned camera;      // the first one, or NO_RECORD
+  BOOL has_camera;      // or something that was meant to be one
+  BOOL is_partial;      // a file or a name is missing: what is not there may
+                        // be in it
+  BOOL is_sound;        // no fault that may make a shape incomplete
+@protected
+  unsigned kind_capacity, record_capacity, given_capacity, value_capacity;
+  struct name *names;   // hash table of records by kind and name
+  unsigned name_count, name_mask;
+  NSMutableArray *made_words;
+  size_t made_length;
+  struct token unknown; // the last word that is no kind
+}
+
+/** The kind that a block word means; KIND_UNKNOWN if it means none. */
+- (unsigned) kindFor: (struct token)word;
+
+/** All block words, for suggestions (autoreleased). */
+- (NSArray *) words;
+
+/** Adds a block without attributes: the last record from now on. */
+- (struct record *) begin: (unsigned)kind at: (unsigned)order
+                     name: (struct token)name at: (unsigned)name_order;
+
+/** Adds an attribute with its values to the last record. */
+- (void) give: (const struct attribute *)a at: (unsigned)order
+       values: (const struct value *)some;
+
+/** Makes the last record known by its name. If there is one of that kind and
+    name already, that stays and is returned; otherwise NO_RECORD. */
+- (unsigned) enter;
+
+/** The record of that kind and name; NO_RECORD if there is none. */
+- (unsigned) find: (unsigned)kind : (struct token)name;
+
+/** A word that no text has: prefix and number. */
+- (struct token) make: (const char *)prefix : (unsigned)number;
+
+@end

@@ -1,0 +1,223 @@
+#import "store_t.h"
+#import "camera_t.h"
+#import "light_t.h"
+#import "material_t.h"
+#import "registry_t.h"
+#include "attribute_check.h"
+#include "grow.h"
+
+#define MADE_WORDS (1 << 16)     // bytes in one block of made words
+
+/** A place in the hash table; record NO_RECORD: empty. */
+struct name
+{
+  unsigned hash;
+  unsigned record;
+};
+
+@implementation store_t
+
+- (void) addKind: (struct token)word class: (Class)class
+{
+  struct kind kind = { word, class, [class attributes] };
+
+  grow((void **)&kinds, kind_count, &kind_capacity, sizeof kind);
+  kinds[kind_count++] = kind;
+}
+
+- (id) init
+{
+  if ((self = [super init]))
+    {
+      is_sound = YES;
+      camera = NO_RECORD;
+      made_words = [NSMutableArray new];
+      made_length = MADE_WORDS;
+      [self addKind: (struct token){ "", 0 } class: Nil];
+      [self addKind: (struct token){ "camera", 6 } class: [camera_t class]];
+      [self addKind: (struct token){ "light", 5 } class: [light_t class]];
+      [self addKind: (struct token){ "material", 8 }
+              class: [material_t class]];
+    }
+  return self;
+}
+
+- (void) dealloc
+{
+  free(kinds);
+  free(records);
+  free(givens);
+  free(values);
+  NSZoneFree(NULL, names);
+  [made_words release];
+  [super dealloc];
+}
+
+- (unsigned) kindFor: (struct token)word
+{
+  for (unsigned i = KIND_CAMERA; i < kind_count; i++)
+    {
+      if (token_is_same(kinds[i].word, word))
+        {
+          return i;
+        }
+    }
+  if (word.length > 64 || token_is_brace(word)
+      || (unknown.at && token_is_same(unknown, word)))
+    {
+      return KIND_UNKNOWN;
+    }
+
+  NSAutoreleasePool *pool = [NSAutoreleasePool new];
+  NSString *name = [[[NSString alloc] initWithBytes: word.at
+                                             length: word.length
+                                           encoding: NSUTF8StringEncoding]
+                     autorelease];
+  Class class = [registry_t shapeForWord: name];
+
+  [pool drain];
+  if (class == Nil)
+    {
+      unknown = word;
+      return KIND_UNKNOWN;
+    }
+  [self addKind: word class: class];
+  return kind_count - 1;
+}
+
+- (NSArray *) words
+{
+  return [[NSArray arrayWithObjects: @"camera", @"light", @"material", nil]
+           arrayByAddingObjectsFromArray: [registry_t words]];
+}
+
+- (struct record *) begin: (unsigned)kind at: (unsigned)order
+                     name: (struct token)name at: (unsigned)name_order
+{
+  struct record record = {
+    .kind = kind, .order = order, .name = name, .name_order = name_order,
+    .given = given_count
+  };
+
+  grow((void **)&records, record_count, &record_capacity, sizeof record);
+  records[record_count] = record;
+  return &records[record_count++];
+}
+
+- (void) give: (const struct attribute *)a at: (unsigned)order
+       values: (const struct value *)some
+{
+  struct record *record = &records[record_count - 1];
+  struct given given = {
+    (unsigned)(a - kinds[record->kind].table), order, value_count
+  };
+
+  grow((void **)&givens, given_count, &given_capacity, sizeof given);
+  givens[given_count++] = given;
+  record->given_count++;
+  for (unsigned i = 0, n = attribute_values(a); i < n; i++)
+    {
+      grow((void **)&values, value_count, &value_capacity, sizeof *values);
+      values[value_count++] = some[i];
+    }
+}
+
+/** FNV-1a, with the bits of the result mixed once more. */
+static unsigned
+hash_of(unsigned kind, struct token name)
+{
+  unsigned hash = 2166136261u ^ kind;
+
+  for (size_t i = 0; i < name.length; i++)
+    {
+      hash = (hash ^ (unsigned char)name.at[i]) * 16777619u;
+    }
+  return hash ^ hash >> 15;
+}
+
+/** Where the name is in the table, or where it would be. */
+- (struct name *) slotFor: (unsigned)kind : (struct token)word
+{
+  unsigned hash = hash_of(kind, word);
+
+  for (unsigned i = hash & name_mask;; i = (i + 1) & name_mask)
+    {
+      if (names[i].record == NO_RECORD)
+        {
+          return &names[i];
+        }
+      if (names[i].hash == hash)
+        {
+          struct record *record = &records[names[i].record];
+          if (record->kind == kind && token_is_same(record->name, word))
+            {
+              return &names[i];
+            }
+        }
+    }
+}
+
+/** Makes the table twice as large. */
+- (void) growNames
+{
+  struct name *old = names;
+  unsigned old_size = old ? name_mask + 1 : 0, size = old ? 2 * old_size : 64;
+
+  names = NSZoneMalloc(NULL, size * sizeof *names);
+  memset(names, 0xFF, size * sizeof *names);
+  name_mask = size - 1;
+  for (unsigned i = 0; i < old_size; i++)
+    {
+      if (old[i].record != NO_RECORD)
+        {
+          struct record *record = &records[old[i].record];
+          *[self slotFor: record->kind : record->name] = old[i];
+        }
+    }
+  NSZoneFree(NULL, old);
+}
+
+- (unsigned) enter
+{
+  struct record *record = &records[record_count - 1];
+
+  if (2 * name_count >= name_mask)
+    {
+      [self growNames];
+    }
+
+  struct name *slot = [self slotFor: record->kind : record->name];
+
+  if (slot->record == NO_RECORD)
+    {
+      slot->hash = hash_of(record->kind, record->name);
+      slot->record = record_count - 1;
+      name_count++;
+      return NO_RECORD;
+    }
+  return slot->record;
+}
+
+- (unsigned) find: (unsigned)kind : (struct token)name
+{
+  return names ? [self slotFor: kind : name]->record : NO_RECORD;
+}
+
+- (struct token) make: (const char *)prefix : (unsigned)number
+{
+  size_t most = strlen(prefix) + 16;
+
+  if (made_length + most > MADE_WORDS)
+    {
+      [made_words addObject: [NSMutableData dataWithLength: MADE_WORDS]];
+      made_length = 0;
+    }
+
+  char *word = (char *)[[made_words lastObject] mutableBytes] + made_length;
+  int length = snprintf(word, most, "%s%u", prefix, number);
+
+  made_length += length + 1;
+  return (struct token){ word, length };
+}
+
+@end

@@ -1,0 +1,64 @@
+// text_t.h - the text of a whole model: its files in the order in which they
+// are read, each include in its place. A place in it is one number, its
+// order: what comes later in this text has a larger one.
+
+#import "source_t.h"
+#include "place.h"
+#include "token.h"
+
+@class diag_t;
+
+// Files inside files, and files in all.
+#define TEXT_DEEPEST 256
+#define TEXT_FILES 65536
+
+@interface text_t : NSObject
+{
+@public
+  struct cursor cursor;         // where reading goes on
+@protected
+  diag_t *diag;                 // not retained: lives as long as the load
+  NSMutableArray *sources;
+  unsigned total;               // the orders that all sources need
+  struct segment *segments;     // pieces of files, in order
+  unsigned segment_count, segment_capacity;
+  struct open_file *open_files; // those being read, the innermost last
+  unsigned open_count, open_capacity;
+}
+
+- (id) init: (diag_t *)diag;
+
+/** Goes on reading at the start of this file, for which there has to be room;
+    `includer` is the order of what includes it. */
+- (void) enter: (source_t *)source from: (unsigned)includer;
+
+/** Whether there are orders enough for this file: for 4 GB of text in all. */
+- (BOOL) hasRoomFor: (source_t *)source;
+
+/** Goes back to the file that includes the one that is being read, behind
+    its include. NO if there is none. */
+- (BOOL) leave;
+
+/** The file that is being read. */
+- (source_t *) source;
+
+/** How deep its include is nested; 0 for the first file. */
+- (unsigned) depth;
+
+/** How many files there are so far. */
+- (unsigned) fileCount;
+
+/** Whether this file is being read, or one that includes another. */
+- (BOOL) isReading: (source_t *)source;
+
+/** Where the place of that order is. */
+- (struct place) placeAt: (unsigned)order;
+
+/** The order of the place after the last character of the first file. Only
+    when everything is read. */
+- (unsigned) endOfFirst;
+
+/** The bytes of all files (autoreleased, or its own). */
+- (NSData *) bytes;
+
+@end

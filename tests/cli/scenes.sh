@@ -1,0 +1,83 @@
+#!/usr/bin/env bash
+# Scenes that cannot be read, or have faults; --check and --format-scene.
+. "$ROOT/tests/test.sh"
+
+cd "$TMP" || exit
+cat >good.mdl <<'MDL'
+camera cam { pixeldim 8 6 worlddim 4 3 viewpoint 2 1.5 4 }
+material grey { ambient 2 2 2 }
+sphere ball { material grey center 2 1.5 -2 radius 1 }
+MDL
+sed 's/grey center/gray center/' good.mdl >bad.mdl
+mkdir folder
+
+# says STATUS MESSAGE ARGUMENT…: no output, this on standard error.
+says()
+{
+  local want="$1 $2" status=0
+  shift 2
+  "$RAYTRACE" "$@" >out.txt 2>err.txt || status=$?
+  same "$status $(cat out.txt err.txt)" "$want" "$*"
+}
+
+for how in '-o x.exr' --check --format-scene; do
+  # shellcheck disable=SC2086
+  says 4 "raytrace: cannot read 'none.mdl': No such file or directory" \
+    none.mdl $how
+  # shellcheck disable=SC2086
+  says 4 "raytrace: cannot read 'folder': Is a directory" folder $how
+  # shellcheck disable=SC2086
+  says 4 "raytrace: cannot read 'good.mdl/x': Not a directory" good.mdl/x $how
+  status=0
+  # shellcheck disable=SC2086
+  "$RAYTRACE" bad.mdl $how >out.txt 2>err.txt || status=$?
+  same "$status $(cat out.txt; head -n 1 err.txt)" "3 bad.mdl:3:24: error: \
+unknown material 'gray' for sphere 'ball'; did you mean 'grey'?" \
+    "a fault, $how"
+  # shellcheck disable=SC2086
+  "$RAYTRACE" -q bad.mdl $how 2>&1 | cmp -s - err.txt
+  same "$?" 0 "the same with -q, $how"
+done
+pass "no file is made" test ! -e x.exr
+
+says 0 "" --check good.mdl
+says 0 "" --check good.mdl -o x.exr
+pass "--check makes no file" test ! -e x.exr
+
+"$RAYTRACE" --format-scene good.mdl >canonical.mdl 2>err.txt
+same "$? $(cat err.txt)" "0 " "--format-scene, to standard output"
+pass "what it writes is a scene" "$RAYTRACE" --check canonical.mdl
+says 0 "" --format-scene good.mdl -o canonical-2.mdl
+pass "the same to a file of any name" cmp canonical.mdl canonical-2.mdl
+"$RAYTRACE" --format-scene canonical.mdl | cmp - canonical.mdl
+same "$?" 0 "canonical form stays as it is"
+"$RAYTRACE" good.mdl -o good.ppm
+"$RAYTRACE" canonical.mdl -o canonical.ppm
+pass "and gives the same picture" cmp good.ppm canonical.ppm
+
+# Where included files are looked for
+mkdir parts
+echo 'material paint { ambient 1 1 1 }' >parts/paint.inc
+{
+  cat good.mdl
+  echo 'include paint.inc'
+} >user.mdl
+status 3 "an included file is not found" "$RAYTRACE" --check user.mdl
+pass "-I finds it" "$RAYTRACE" -I parts --check user.mdl
+pass "so does the second of two" "$RAYTRACE" -I none -I parts --check user.mdl
+
+# Other names
+cp good.mdl 'größe und "mehr".mdl'
+for locale in C C.UTF-8; do
+  rm -f 'Bild ü.exr'
+  LC_ALL=$locale "$RAYTRACE" 'größe und "mehr".mdl' -o 'Bild ü.exr'
+  pass "names in UTF-8, locale $locale" test -s 'Bild ü.exr'
+done
+says 4 "raytrace: cannot read 'nichts ü.mdl': No such file or directory" \
+  --check 'nichts ü.mdl'
+
+"$RAYTRACE" -v good.mdl -o x.exr 2>err.txt
+same "$(cat err.txt)" \
+  "raytrace: 'good.mdl': 1 objects, 0 lights, 8 x 6 pixels" \
+  "-v tells what was read"
+test_done
