@@ -35,6 +35,9 @@ const struct attribute *attribute_named(const struct attribute *table,
 /** The names of a table's attributes, in its order (autoreleased). */
 NSArray *attribute_names(const struct attribute *table);
 
+/** The same of those whose bits are set. */
+NSArray *attribute_names_of(const struct attribute *table, uint64_t bits);
+
 /** "a, b or c" (autoreleased). */
 NSString *attribute_list(NSArray *words, NSString *conjunction);
 

@@ -151,11 +151,20 @@ attribute_named(const struct attribute *table, struct token name)
 NSArray *
 attribute_names(const struct attribute *table)
 {
+  return attribute_names_of(table, UINT64_MAX);
+}
+
+NSArray *
+attribute_names_of(const struct attribute *table, uint64_t bits)
+{
   NSMutableArray *names = [NSMutableArray array];
 
-  for (const struct attribute *a = table; a->name; a++)
+  for (const struct attribute *a = table; a->name; a++, bits >>= 1)
     {
-      [names addObject: [NSString stringWithUTF8String: a->name]];
+      if (bits & 1)
+        {
+          [names addObject: [NSString stringWithUTF8String: a->name]];
+        }
     }
   return names;
 }

@@ -7,6 +7,9 @@
 #include "attribute_check.h"
 #include "utf8.h"
 
+// More names than this are too many for a message.
+#define LISTED_NAMES 8
+
 @implementation builder_t
 
 - (id) init: (store_t *)theStore text: (text_t *)theText
@@ -51,6 +54,20 @@
   return material_names;
 }
 
+/** What could have been meant by an unknown name, for the end of a message. */
+- (NSString *) advise: (NSString *)name
+{
+  NSArray *names = [self materialNames];
+  NSString *advice = [diag_t suggestionFor: name among: names];
+  NSUInteger count = [names count];
+
+  return [advice length] > 0 ? advice
+    : count == 0 ? @"; there is no material in the model"
+    : count > LISTED_NAMES ? @"; expected the name of a material"
+    : [NSString stringWithFormat: @"; expected %@",
+                attribute_list(names, @"or")];
+}
+
 - (void) refuse: (struct value)value for: (struct record *)record
 {
   struct token word = store->kinds[record->kind].word;
@@ -67,7 +84,7 @@
                                     encoding: NSUTF8StringEncoding]
               autorelease],
             utf8_quote(record->name.at, record->name.length),
-            [diag_t suggestionFor: name among: [self materialNames]]];
+            [self advise: name]];
       [name release];
     }
 }
@@ -89,7 +106,7 @@
           if ([store find: KIND_MATERIAL : name] == NO_RECORD)
             {
               is_good = NO;
-              if (!store->is_partial
+              if (!store->is_partial && !store->is_nameless
                   && [store find: KIND_UNKNOWN : name] == NO_RECORD)
                 {
                   [self refuse: value for: record];

@@ -57,17 +57,11 @@ struct block_state
       return;
     }
 
-  NSString *meant = nil;
+  FAULT(t.at, @"unknown attribute %@%@%@", [self quote: t], [self owner],
+        [self advise: t among: attribute_names(kind.table)]);
 
-  if ([self wantsFault: t.at])
-    {
-      NSArray *names = attribute_names(kind.table);
-      meant = t.length > LONGEST_WORD ? nil
-        : [diag_t nearestTo: reader_string(t) among: names];
-      [self fault: t.at : @"unknown attribute %@%@%@", [self quote: t],
-            [self owner], [self advise: t among: names]];
-    }
-
+  NSAutoreleasePool *pool = [NSAutoreleasePool new];
+  NSString *meant = [self nearestTo: t among: attribute_names(kind.table)];
   unsigned words = [self resumeInside];
 
   if (meant)
@@ -81,6 +75,7 @@ struct block_state
     {
       state->unknown[words < 4 ? words : 0]++;
     }
+  [pool drain];
 }
 
 /** Reads up to the closing brace and past it. NO if it is missing. */
@@ -151,22 +146,22 @@ is_excused(struct block_state *state, const struct attribute *table,
 - (void) requireAttributes: (struct block_state *)state
                    keyword: (struct token)keyword
 {
-  NSMutableArray *missing = nil;
+  uint64_t missing = 0, bit = 1;
 
-  for (const struct attribute *a = kind.table; a->name; a++)
+  for (const struct attribute *a = kind.table; a->name; a++, bit <<= 1)
     {
-      if (a->is_required && !(state->given & (uint64_t)1 << (a - kind.table))
+      if (a->is_required && !(state->given & bit)
           && !is_excused(state, kind.table, a))
         {
-          missing = missing ? missing : [NSMutableArray array];
-          [missing addObject: [NSString stringWithUTF8String: a->name]];
+          missing |= bit;
         }
     }
   if (missing)
     {
       [self spoil: state->record];
       FAULT(keyword.at, @"expected %@%@, found none",
-            attribute_list(missing, @"and"), [self owner]);
+            attribute_list(attribute_names_of(kind.table, missing), @"and"),
+            [self owner]);
     }
 }
 

@@ -29,8 +29,7 @@
   if (!has_name)
     {
       [self spoil: record];
-      // Something may ask for it by its name.
-      store->is_partial |= kind_number == KIND_MATERIAL;
+      store->is_nameless |= kind_number == KIND_MATERIAL;
       FAULT(t.at, @"expected a name for the %@, found %@",
             reader_string(kind.word), [self quote: t]);
     }

@@ -2,6 +2,10 @@
 #import "diag_t.h"
 #include <errno.h>
 
+// Files of includes of files of includes come to an end here.
+#define DEEPEST_INCLUDE 256
+#define MOST_INCLUDES 65536
+
 @implementation mdl_t (include)
 
 /** Reads the path after `include`; *at is where it starts, with its quote.
@@ -114,22 +118,32 @@
   return nil;
 }
 
-/** Whether the file may be included here; a fault if not. */
+/** Whether one more file may be included; a fault if not. */
+- (BOOL) allowsAnother: (const char *)at
+{
+  if (include_count == MOST_INCLUDES || [text depth] == DEEPEST_INCLUDE)
+    {
+      FAULT(at, @"too much to include, expected at most %d files in all and"
+            @" %d inside each other", MOST_INCLUDES, DEEPEST_INCLUDE);
+      return NO;
+    }
+  include_count++;
+  return YES;
+}
+
+/** Whether this file may be included here; a fault if not. */
 - (BOOL) allows: (source_t *)source path: (struct token)path
              at: (const char *)at
 {
   if ([text isReading: source])
     {
-      FAULT(at, @"%@ includes itself: it is being read already",
+      FAULT(at, @"expected another file to include, %@ is being read already",
             [self quote: path]);
       return NO;
     }
-  if ([text depth] == TEXT_DEEPEST || [text fileCount] == TEXT_FILES
-      || ![text hasRoomFor: source])
+  if (![text hasRoomFor: source])
     {
-      FAULT(at, @"too much to include, expected at most %d files inside each"
-            @" other, %d files and 4 GB of text in all", TEXT_DEEPEST,
-            TEXT_FILES);
+      FAULT(at, @"too much to include, expected less than 4 GB in all");
       return NO;
     }
   return YES;
@@ -142,7 +156,7 @@
   const char *at;
   source_t *source = nil;
 
-  if ([self readPath: &path at: &at])
+  if ([self readPath: &path at: &at] && [self allowsAnother: at])
     {
       source = [self find: path at: at];
     }

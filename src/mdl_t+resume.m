@@ -1,5 +1,4 @@
 #import "mdl_t.h"
-#import "diag_t.h"
 #include "attribute_check.h"
 
 // So many words after a fault are compared with attributes.
@@ -46,9 +45,12 @@
 /** Whether a word may have been meant to be an attribute of the block. */
 - (BOOL) isNearAttribute: (struct token)t
 {
-  return t.length > 1 && t.length <= LONGEST_WORD && ![self isNumber: t]
-    && [diag_t nearestTo: reader_string(t)
-                   among: attribute_names(kind.table)] != nil;
+  NSAutoreleasePool *pool = [NSAutoreleasePool new];
+  BOOL is_near = ![self isNumber: t]
+    && [self nearestTo: t among: attribute_names(kind.table)] != nil;
+
+  [pool drain];
+  return is_near;
 }
 
 /** Goes past words, and past braces with all they hold, to something that can

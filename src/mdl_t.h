@@ -8,6 +8,8 @@
 @interface mdl_t : reader_t
 {
   NSArray *include_path;
+  NSArray *keywords;            // when they have been asked for
+  unsigned include_count;       // that were tried
   struct kind kind;             // of the block that is being read; its table
                                 // is NULL outside of blocks
   struct token name;            // and its name; of length 0 if it has none

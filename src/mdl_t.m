@@ -18,6 +18,7 @@
 - (void) dealloc
 {
   [include_path release];
+  [keywords release];
   [super dealloc];
 }
 
@@ -101,23 +102,28 @@
     }
 }
 
+- (NSArray *) keywords
+{
+  if (keywords == nil)
+    {
+      keywords = [[[store words] arrayByAddingObjectsFromArray:
+        [NSArray arrayWithObjects: @"include", @"background", nil]] retain];
+    }
+  return keywords;
+}
+
 /** A word that is no keyword. What it was meant to be must not be missed
     later. */
 - (void) refuseWord: (struct token)t
 {
   store->is_sound = NO;
-  if ([self wantsFault: t.at])
-    {
-      NSArray *words = [[store words] arrayByAddingObjectsFromArray:
-        [NSArray arrayWithObjects: @"include", @"background", nil]];
-      NSString *meant = t.length > LONGEST_WORD ? nil
-        : [diag_t nearestTo: reader_string(t) among: words];
+  FAULT(t.at, @"unknown keyword %@%@", [self quote: t],
+        [self advise: t among: [self keywords]]);
 
-      [self fault: t.at : @"unknown keyword %@%@", [self quote: t],
-            [self advise: t among: words]];
-      store->has_camera |= [meant isEqual: @"camera"];
-      store->is_partial |= [meant isEqual: @"include"];
-    }
+  NSString *meant = [self nearestTo: t among: [self keywords]];
+
+  store->has_camera |= [meant isEqual: @"camera"];
+  store->is_partial |= [meant isEqual: @"include"];
 
   struct token block = [self resumeOutside];
 

@@ -45,11 +45,10 @@
 /** A letter that NFF does not have, or that nothing is made of. */
 - (BOOL) refuse
 {
-  BOOL is_cone = token_is(letter, "c");
-
-  FAULT(letter.at, @"%@ %@; expected v, b, l, f, s, p or pp",
-        is_cone ? @"no shape for the cone" : @"unknown entity",
-        [self quote: letter]);
+  FAULT(letter.at, @"%s %@; expected v, b, l, f, s, p or pp",
+        token_is(letter, "c") ? "no shape for the cone"
+        : [self isNumber: letter] ? "one number too many:"
+        : "unknown entity", [self quote: letter]);
   return NO;
 }
 

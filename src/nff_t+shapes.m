@@ -139,6 +139,11 @@
       return NO;
     }
 
+  if (!has_fill)
+    {
+      return NO;
+    }
+
   struct record *record = [self beginShape: "polygon" : "p" : polygons];
   struct nff_face face = {
     .record = store->record_count - 1, .fill = fills, .alpha = alpha,
@@ -158,7 +163,6 @@
         }
       [self give: "vertex" : xyz];
     }
-  record->is_faulty |= !has_fill;
   grow((void **)&faces, face_count, &face_capacity, sizeof face);
   faces[face_count++] = face;
   return YES;

@@ -8,21 +8,19 @@
 /** Whether all that is required was given; a fault if not. */
 - (BOOL) isComplete: (const struct attribute *)table given: (unsigned)given
 {
-  NSMutableArray *missing = [NSMutableArray array];
+  uint64_t missing = 0, bit = 1;
 
-  for (const struct attribute *a = table; a->name; a++)
+  for (const struct attribute *a = table; a->name; a++, bit <<= 1)
     {
-      if (a->is_required && !(given & 1u << (a - table)))
-        {
-          [missing addObject: [NSString stringWithUTF8String: a->name]];
-        }
+      missing |= a->is_required && !(given & bit) ? bit : 0;
     }
-  if ([missing count])
+  if (missing)
     {
       FAULT(letter.at, @"expected %@%@, found none",
-            attribute_list(missing, @"and"), [self owner]);
+            attribute_list(attribute_names_of(table, missing), @"and"),
+            [self owner]);
     }
-  return [missing count] == 0;
+  return missing == 0;
 }
 
 - (BOOL) readView

@@ -12,6 +12,7 @@ enum number_result
 {
   NUMBER_GOOD,
   NUMBER_NONE,          // not a number; nan and inf are none
+  NUMBER_NOT_WHOLE,     // something else than digits
   NUMBER_TOO_LARGE,     // more than 2^400
   NUMBER_TOO_SMALL      // less than 2^-400 and not 0
 };
@@ -21,8 +22,9 @@ enum number_result
 enum number_result number_read(const char *at, size_t length, locale_t c,
                                double *value);
 
-/** Digits only; past 10^15 it is 10^15. 0 if there is anything else. */
-int number_read_whole(const char *at, size_t length, double *value);
+/** The same for digits only; past 10^15 it is 10^15. */
+enum number_result number_read_whole(const char *at, size_t length,
+                                     locale_t c, double *value);
 
 /** Whether a model may have this number: 0 or a magnitude of 2^-400 to
     2^400. */

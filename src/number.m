@@ -84,19 +84,22 @@ number_read(const char *at, size_t length, locale_t c, double *value)
   return number_range(*value);
 }
 
-int
-number_read_whole(const char *at, size_t length, double *value)
+enum number_result
+number_read_whole(const char *at, size_t length, locale_t c, double *value)
 {
-  *value = 0;
+  double whole = 0;
+
   for (size_t i = 0; i < length; i++)
     {
       if (at[i] < '0' || at[i] > '9')
         {
-          return 0;
+          return number_read(at, length, c, value) == NUMBER_NONE
+            ? NUMBER_NONE : NUMBER_NOT_WHOLE;
         }
-      *value = fmin(10 * *value + (at[i] - '0'), 1e15);
+      whole = fmin(10 * whole + (at[i] - '0'), 1e15);
     }
-  return length > 0;
+  *value = whole;
+  return length > 0 ? NUMBER_GOOD : NUMBER_NONE;
 }
 
 void

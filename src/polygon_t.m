@@ -185,7 +185,8 @@
   plane.n = k_neg(plane.n);
 }
 
-/** Convex: going round, the outline turns to one side only, and once. */
+/** Convex: going round, the outline turns to one side only, and once. A turn
+    that rounding of the corners can make is none. */
 - (BOOL) isConvex
 {
   struct k_vec a = [self vertexAt: count - 2], b = [self vertexAt: count - 1];
@@ -195,10 +196,12 @@
   for (unsigned i = 0; i < count; i++)
     {
       struct k_vec c = [self vertexAt: i];
-      double turn = k_dot(newell, k_cross(k_sub(b, a), k_sub(c, b)));
+      struct k_vec ab = k_sub(b, a), bc = k_sub(c, b);
+      double turn = k_dot(newell, k_cross(ab, bc));
+      double noise = slack * (k_norm1(ab) + k_norm1(bc));
       double step = k_component(c, axis) - k_component(b, axis);
       int sign = (step > 0) - (step < 0);
-      turns |= turn > 0 ? 1 : turn < 0 ? 2 : 0;
+      turns |= turn > noise ? 1 : turn < -noise ? 2 : 0;
       flips += sign != 0 && last_sign != 0 && sign != last_sign;
       last_sign = sign != 0 ? sign : last_sign;
       a = b;

@@ -59,6 +59,10 @@
 /** A token in a message: 'glas', or the end of the file (autoreleased). */
 - (NSString *) quote: (struct token)t;
 
+/** The word that was meant, or nil if none is near. After a thousand faults
+    it is not looked for any more. */
+- (NSString *) nearestTo: (struct token)t among: (NSArray *)words;
+
 /** "; did you mean 'x'?", or nothing if none is near (autoreleased). */
 - (NSString *) suggest: (struct token)t among: (NSArray *)words;
 

@@ -4,6 +4,9 @@
 #include "number.h"
 #include "utf8.h"
 
+// After so many no more guesses are made.
+#define ENOUGH_FAULTS 1000
+
 NSString *
 reader_string(struct token t)
 {
@@ -72,6 +75,20 @@ reader_string(struct token t)
   return t.length == 0 ? @"the end of the file" : utf8_quote(t.at, t.length);
 }
 
+- (NSString *) nearestTo: (struct token)t among: (NSArray *)words
+{
+  if (t.length > LONGEST_WORD || [diag faultCount] > ENOUGH_FAULTS)
+    {
+      return nil;
+    }
+
+  NSAutoreleasePool *pool = [NSAutoreleasePool new];
+  NSString *nearest = [diag_t nearestTo: reader_string(t) among: words];
+
+  [pool drain];
+  return nearest;
+}
+
 - (NSString *) suggest: (struct token)t among: (NSArray *)words
 {
   return t.length > LONGEST_WORD ? @""
@@ -109,7 +126,7 @@ reader_string(struct token t)
 {
   const char *reason = result == NUMBER_TOO_LARGE ? ", which is beyond 2^400"
     : result == NUMBER_TOO_SMALL ? ", which is not 0 but below 2^-400"
-    : result == NUMBER_NONE && attribute_is_whole(a) ? "; digits only" : "";
+    : result == NUMBER_NOT_WHOLE ? "; digits only" : "";
 
   FAULT(t.at, @"expected %@ for %s%@, found %@%s", attribute_expected(a, 1),
         a->name, [self owner], [self quote: t], reason);
@@ -119,12 +136,9 @@ reader_string(struct token t)
                            for: (const struct attribute *)a
                           into: (double *)value
 {
-  if (attribute_is_whole(a))
-    {
-      return number_read_whole(t.at, t.length, value) ? NUMBER_GOOD
-        : NUMBER_NONE;
-    }
-  return number_read(t.at, t.length, c_locale, value);
+  return attribute_is_whole(a)
+    ? number_read_whole(t.at, t.length, c_locale, value)
+    : number_read(t.at, t.length, c_locale, value);
 }
 
 - (BOOL) readNumbers: (const struct attribute *)a into: (struct value *)values

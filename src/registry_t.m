@@ -2,13 +2,28 @@
 #import "object_t.h"
 #import <objc/runtime.h>
 
+/** Whether a class or one it inherits from adopts the protocol object_t. (The
+    protocol is looked up by name: clang's @protocol() is not the one that the
+    runtime knows.) */
+static BOOL
+is_shape(Class c)
+{
+  Protocol *protocol = objc_getProtocol("object_t");
+
+  while (c && !class_conformsToProtocol(c, protocol))
+    {
+      c = class_getSuperclass(c);
+    }
+  return c != Nil;
+}
+
 @implementation registry_t
 
 + (Class) shapeForWord: (NSString *)word
 {
   Class found = NSClassFromString([word stringByAppendingString: @"_t"]);
 
-  return [found conformsToProtocol: @protocol(object_t)] ? found : Nil;
+  return is_shape(found) ? found : Nil;
 }
 
 + (NSArray *) words
@@ -21,8 +36,7 @@
   for (int i = 0; i < count; i++)
     {
       NSString *name = NSStringFromClass(classes[i]);
-      if ([name hasSuffix: @"_t"]
-          && class_conformsToProtocol(classes[i], @protocol(object_t)))
+      if ([name hasSuffix: @"_t"] && is_shape(classes[i]))
         {
           [words addObject: [name substringToIndex: [name length] - 2]];
         }

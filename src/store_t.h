@@ -71,8 +71,8 @@ struct record
   unsigned background_order;
   unsigned camera;      // the first one, or NO_RECORD
   BOOL has_camera;      // or something that was meant to be one
-  BOOL is_partial;      // a file or a name is missing: what is not there may
-                        // be in it
+  BOOL is_partial;      // a file is missing: what is not there may be in it
+  BOOL is_nameless;     // a material has no name: it may be one that is sought
   BOOL is_sound;        // no fault that may make a shape incomplete
 @protected
   unsigned kind_capacity, record_capacity, given_capacity, value_capacity;

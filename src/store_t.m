@@ -122,7 +122,8 @@ struct name
     }
 }
 
-/** FNV-1a, with the bits of the result mixed once more. */
+/** FNV-1a; its bits are mixed once more, as names often differ at their ends
+    only. */
 static unsigned
 hash_of(unsigned kind, struct token name)
 {
@@ -132,7 +133,8 @@ hash_of(unsigned kind, struct token name)
     {
       hash = (hash ^ (unsigned char)name.at[i]) * 16777619u;
     }
-  return hash ^ hash >> 15;
+  hash = (hash ^ hash >> 16) * 0x85EBCA6Bu;
+  return hash ^ hash >> 13;
 }
 
 /** Where the name is in the table, or where it would be. */
@@ -168,11 +170,12 @@ hash_of(unsigned kind, struct token name)
   name_mask = size - 1;
   for (unsigned i = 0; i < old_size; i++)
     {
-      if (old[i].record != NO_RECORD)
+      unsigned slot = old[i].hash & name_mask;
+      while (old[i].record != NO_RECORD && names[slot].record != NO_RECORD)
         {
-          struct record *record = &records[old[i].record];
-          *[self slotFor: record->kind : record->name] = old[i];
+          slot = (slot + 1) & name_mask;
         }
+      names[slot] = old[i];
     }
   NSZoneFree(NULL, old);
 }

@@ -8,10 +8,6 @@
 
 @class diag_t;
 
-// Files inside files, and files in all.
-#define TEXT_DEEPEST 256
-#define TEXT_FILES 65536
-
 @interface text_t : NSObject
 {
 @public
@@ -44,9 +40,6 @@
 
 /** How deep its include is nested; 0 for the first file. */
 - (unsigned) depth;
-
-/** How many files there are so far. */
-- (unsigned) fileCount;
 
 /** Whether this file is being read, or one that includes another. */
 - (BOOL) isReading: (source_t *)source;

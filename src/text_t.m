@@ -103,11 +103,6 @@ struct open_file
   return open_count - 1;
 }
 
-- (unsigned) fileCount
-{
-  return (unsigned)[sources count];
-}
-
 - (BOOL) isReading: (source_t *)source
 {
   for (unsigned i = 0; i < open_count; i++)

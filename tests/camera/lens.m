@@ -64,7 +64,7 @@ focal_sphere(camera_t *cam, const char *what)
       struct k_vec meet = k_along(centre, FOCUS, middle);
       struct k_vec to = k_sub(meet, pos);
       off += k_norm_max(k_sub(dir, k_unit(to))) > 16 * K_U;
-      unit += fabs(k_length(dir) - 1) > 2 * K_U;
+      unit += fabs(k_length(dir) - 1) > 3 * K_U;
       across += fabs(k_dot(lens, ahead)) > 16 * K_U;
       double u = k_dot(lens, right) * FSTOP, v = k_dot(lens, up) * FSTOP;
       square += fabs(u - s.u) > 64 * K_U || fabs(v - s.v) > 64 * K_U;

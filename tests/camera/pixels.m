@@ -52,7 +52,7 @@ window_errors(struct view v)
           double length = q_sqrt(q_dot(to, to));
           wrong += !support_same(o, v.eye);
           wrong += q_apart(d, q_unit(to)) > 4 * K_U * (1 + size / length);
-          wrong += fabs(k_length(d) - 1) > 2 * K_U;
+          wrong += fabs(k_length(d) - 1) > 3 * K_U;
         }
     }
   return wrong;
@@ -132,7 +132,7 @@ lookat_errors(unsigned columns, unsigned rows, struct k_vec eye,
           // the direction hardly feels it there.
           wrong += q_apart(d, want) > 16 * K_U * (1 + 1 / across);
           wrong += !support_same(o, eye);
-          wrong += fabs(k_length(d) - 1) > 2 * K_U;
+          wrong += fabs(k_length(d) - 1) > 3 * K_U;
         }
     }
   return wrong;

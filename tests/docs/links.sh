@@ -74,7 +74,7 @@ names()
     my $bad = 0;
     while ($page =~ /`([^`\n]+(?:\n[^`\n]+)?)`/g) {
       (my $name = $1) =~ s/\s+/ /g;
-      if ($name =~ m{^((?:$ENV{FOLDERS})/[^\s*…]*)(?: (\S+))?$}) {
+      if ($name =~ m{^((?:$ENV{FOLDERS})/[^\s*…]*)(?: ([-+]?[\w:]+))?$}) {
         my ($file, $what) = ($1, $2);
         next if $made{$file};
         my $ok = -e $file;
@@ -121,9 +121,7 @@ mkdir "$place"
 for name in models scenes docs tests; do ln -s "$ROOT/$name" "$place/$name"; done
 cat >"$place/raytrace" <<'END'
 #!/bin/sh
-case " $* " in *" -r "* | *" --check "* | *" --format-scene "*) small= ;;
-  *) small="-r 32x24" ;; esac
-exec "$RAYTRACE" $small "$@"
+exec "$RAYTRACE" "$@" -r 32x24 # the last -r holds
 END
 chmod +x "$place/raytrace"
 export RAYTRACE
@@ -139,7 +137,7 @@ BLOCKS=$TMP/blocks perl -e '
     }
     $block = "";
   }
-  while (<>) { if (s/^    //) { $block .= $_ } elsif (/\S/) { done() } }
+  while (<>) { if (s/^    +//) { $block .= $_ } elsif (/\S/) { done() } }
   done()' README.md
 blocks=("$TMP"/blocks/*)
 pass "README.md calls raytrace" test ${#blocks[@]} -gt 0
@@ -150,4 +148,14 @@ run_block()
 for block in "${blocks[@]}"; do
   pass "README.md: $(grep -m 1 raytrace "$block")" run_block "$block"
 done
+
+# The scene of the README, and the mistakes in it.
+sed -n '/^    camera eye /,/^    sphere ball /s/^    //p' README.md \
+  >"$place/ball.mdl"
+cd "$place" || exit
+pass "the scene of README.md is rendered" ./raytrace ball.mdl -o ball.ppm
+sed -i 's/material red  center/material rde  centre/' ball.mdl
+same "$("$RAYTRACE" --check ball.mdl 2>&1)" \
+  "$(sed -n '/^    ball.mdl:/,/^$/s/^    //p' "$ROOT/README.md")" \
+  "README.md shows the messages there are"
 test_done

@@ -44,7 +44,7 @@ pass "its canonical form is read back" "$tool" --format-scene columns.mdl \
 pass "and gives the same picture" cmp columns.ppm formatted.ppm
 
 # The messages of the page.
-block broken.mdl >broken.mdl
+block broken.mdl >"$TMP/broken" && mv "$TMP/broken" broken.mdl
 block "./raytrace --check broken.mdl" >expected
 "$tool" --check broken.mdl >found 2>&1
 same "$(cat found)" "$(cat expected)" "the page shows the messages there are"

@@ -4,27 +4,36 @@
 . "$ROOT/tests/test.sh"
 
 mapfile -t scenes < <(scene_files)
+
+# render BUILD SCENE OUT
 render()
 {
   "$ROOT/build/$1/raytrace" "$2" -r 64x48 --aov depth,normal,object -o "$3"
 }
 
+# same_bytes BUILD SCENE FILE: the build renders the file's bytes.
+same_bytes()
+{
+  rm -f "$TMP/other.exr"
+  render "$1" "$2" "$TMP/other.exr" && cmp "$3" "$TMP/other.exr"
+}
+
 pass "there are scenes" test ${#scenes[@]} -gt 0
-for scene in "${scenes[@]}"; do
-  name=${scene#"$ROOT"/}
-  pass "$BUILD renders $name" render "$BUILD" "$scene" \
-    "$TMP/${name//\//_}.exr"
+for i in "${!scenes[@]}"; do
+  pass "${scenes[i]#"$ROOT"/} renders" \
+    render "$BUILD" "${scenes[i]}" "$TMP/$i.exr"
 done
 
-for build in gcc-O0 clang-O2; do
-  pass "$build builds without a warning" \
-    make -s -C "$ROOT" -j"$(nproc)" BUILD=$build
-  for scene in "${scenes[@]}"; do
-    name=${scene#"$ROOT"/}
-    rm -f "$TMP/other.exr"
-    render $build "$scene" "$TMP/other.exr"
-    pass "$build gives the bytes of $BUILD for $name" \
-      cmp "$TMP/${name//\//_}.exr" "$TMP/other.exr"
+for other in gcc-O0 clang-O2; do
+  failures=$test_failures
+  pass "$other builds without a warning" \
+    make -s -C "$ROOT" -j"$(nproc)" BUILD=$other
+  if [ "$test_failures" != "$failures" ]; then
+    continue
+  fi
+  for i in "${!scenes[@]}"; do
+    pass "$other renders the same bytes of ${scenes[i]#"$ROOT"/}" \
+      same_bytes $other "${scenes[i]}" "$TMP/$i.exr"
   done
 done
 test_done

@@ -7,7 +7,7 @@
 
 /** `probe name { … }`: a sphere that notes what the ray was in that came to
     it straight down from the eye. */
-@interface probe_t : sphere_t <object_t>
+@interface probe_t : sphere_t
 @end
 
 static char seen[256];          // indices, from the top down

@@ -238,8 +238,10 @@ main(void)
   static const char *const ways[] = {
     "files without a name", "no such files", "files that cannot be named"
   };
-  char made[] = "/tmp/outfile-XXXXXX";
+  const char *temporary = getenv("TMP") ? getenv("TMP") : "/tmp";
+  char made[4096];
 
+  snprintf(made, sizeof made, "%s/outfile-XXXXXX", temporary);
   folder = [NSString stringWithUTF8String: mkdtemp(made)];
   umask(027);
   for (missing = 0; missing < 3; missing++)

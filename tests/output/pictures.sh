@@ -117,14 +117,15 @@ sphere near { material grey center 1 1 -2 radius .5 }
 MDL
 "$RAYTRACE" axis.mdl --aov $all -o axis.exr
 if has oiiotool; then
-  # Channels in oiiotool's order.
-  oiiotool axis.exr --ch Z,N.X,N.Y,N.Z,id --dumpdata >dump.txt 2>&1
-  near=$(grep -A1 'Pixel (1, 1)' dump.txt | tr -s ' \n' ' ')
-  corner=$(grep -A1 'Pixel (0, 0)' dump.txt | tr -s ' \n' ' ')
-  pass "the middle hits the near sphere: $near" \
-    grep -qE ' 5\.50* (-?0\.0*) (-?0\.0*) 1\.0* ' <<<"$near "
+  # Channels R G B Z id N.X N.Y N.Z; oiiotool divides id by 2^32 - 1.
+  oiiotool axis.exr --mulc 1,1,1,1,4294967295,1,1,1 -o scaled.exr
+  oiiotool --dumpdata scaled.exr >dump.txt
+  near=$(sed -n 's/^ *Pixel (1, 1): //p' dump.txt)
+  corner=$(sed -n 's/^ *Pixel (0, 0): //p' dump.txt)
+  pass "the middle hits the near sphere, object 2: $near" \
+    grep -qE ' 5\.50* 2\.0* -?0\.0* -?0\.0* 1\.0*$' <<<"$near"
   pass "the corner hits nothing: $corner" \
-    grep -qE ' 3402823466[0-9.]+ 0\.0* 0\.0* 0\.0* 0\.?0* ' <<<"$corner "
+    grep -qE ' 340282346[0-9]{30}\.0* 0\.0* 0\.0* 0\.0* 0\.0*$' <<<"$corner"
 fi
 
 "$RAYTRACE" pin.mdl -r 100000x100000 -o large.ppm 2>err.txt

@@ -54,10 +54,10 @@ in_small_disk()
   unshare -m -r bash -c '
     mount -t tmpfs -o "$1" none disk && shift && "$@"' bash "$@"
 }
-if in_small_disk size=64k true 2>/dev/null; then
+if in_small_disk size=4k true 2>/dev/null; then
   for suffix in exr png ppm; do
     fails "cannot write 'disk/x.$suffix': No space left on device" \
-      "a full disk, .$suffix" in_small_disk size=64k \
+      "a full disk, .$suffix" in_small_disk size=4k \
       "$RAYTRACE" pin.mdl -r 400x300 --samples 2 -o disk/x.$suffix
   done
   # shellcheck disable=SC2016

@@ -127,7 +127,7 @@ mirror(void)
           "mirror: diffuse color + specular reflected");
   is_near(down(support_model(ROOM("specular .5 .25 0")
     "light l { location 3 0 -4 emissivity 9 9 9 }\n")),
-          0.5 * 1.65 + 0.5, 0.25 * 1.1 + 0.5, 0.55,
+          0.5 * 1.65 + 0.55, 0.25 * 1.1 + 0.55, 0.55,
           "diffuse multiplies the shadow's term too");
   // No reflected ray where nothing mirrors.
   ray_t *ray = support_ray(support_model(ROOM("")), k_vec(0, 0, 2),

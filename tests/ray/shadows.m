@@ -42,7 +42,7 @@ blockers(void)
   PASS(!is_lit_with(LIGHT "plane p { material m normal 0 0 -1 point 0 0 3 }"),
        "a plane between, its front");
   PASS(!is_lit_with(LIGHT "polygon p { material m vertex -1 -1 1"
-                    " vertex 1 -1 1 vertex 0 2 1 }"), "a polygon");
+                    " vertex 1 -1 1 vertex 0 .5 1 }"), "a polygon");
   PASS(!is_lit_with(LIGHT "sphere s { material m center 0 0 4 radius 1 }"),
        "a sphere round the light");
   PASS(is_lit_with(LIGHT "sphere s { material m center 0 0 0 radius 9 }"),
@@ -56,8 +56,8 @@ near_and_far(void)
     "sphere s { material m center 0 0 1.5e-7 radius 5e-8 }"),
        "a blocker 1e-7 above the floor");
   PASS(!is_lit_with("light l { location 0 0 1e-6 emissivity 1 1 1 }\n"
-    "polygon p { material m vertex -1 -1 5e-7 vertex 1 -1 5e-7"
-    " vertex 0 1 5e-7 }"), "between the floor and a light 1e-6 above it");
+    "polygon p { material m vertex -1e-7 -1e-7 5e-7 vertex 1e-7 -1e-7 5e-7"
+    " vertex 0 1e-7 5e-7 }"), "between the floor and a light 1e-6 above it");
   PASS(is_lit_with("light l { location 0 0 1e-6 emissivity 1 1 1 }\n"),
        "that light without a blocker");
   PASS(is_lit_with("light l { location 0 0 1e100 emissivity 1 1 1 }\n"),
@@ -151,7 +151,7 @@ glass(void)
        "glass inside glass does not");
   PASS(is_lit_with(LIGHT
     "polygon p { material glass vertex -1 -1 1 vertex 1 -1 1"
-    " vertex 0 2 1 }"), "a thin sheet of glass does not");
+    " vertex 0 .5 1 }"), "a thin sheet of glass does not");
 }
 
 /** Both sides of one surface, and the inside of a hollow sphere. */

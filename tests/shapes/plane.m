@@ -61,7 +61,8 @@ normals(void)
   PASS(unlike == 0, "the normal's length does not matter: %u", unlike);
 }
 
-/** t = n.(q - o) / n.d: three roundings of magnitude |q - o|, over |cos|. */
+/** t = n.(q - o) / n.d: a few roundings of |q - o| above, and of 1 below,
+    which count t times, over |cos|. */
 static void
 random_rays(void)
 {
@@ -85,7 +86,8 @@ random_rays(void)
           quad t = q_dot(N, q_sub(q_of(q), q_of(o))) / cosine;
           struct hit hit = support_hit(model, o, d);
           struct hit other = support_hit(back, o, d);
-          double bound = 8 * K_U * k_norm1(k_sub(q, o)) / q_abs(cosine);
+          double bound = 8 * K_U * (k_norm1(k_sub(q, o)) + q_abs(t))
+            / q_abs(cosine);
           if (q_abs(t) <= bound)
             {
               continue;

@@ -186,7 +186,7 @@ run_P05(struct run *run)
         }
     }
   note_number(run, again);
-  if (battery_is_base(run))
+  if (run->is_told)
     {
       PASS(again == 0, "P05 %u of %u reflected rays hit the plane they leave",
            again, rays);
@@ -265,7 +265,7 @@ run_P07(struct run *run)
           wrong += hit.object == nil || hit.object->number != 1;
         }
     }
-  if (battery_is_base(run))
+  if (run->is_told)
     {
       PASS(wrong == 0, "P07 %u of 10000 rays at three planes in one do not"
            " see the first", wrong);
@@ -299,7 +299,8 @@ corner(struct run *run, struct k_vec x, struct k_vec y, struct k_vec z,
         {
           a[j] = support_between(&random, 1, 2);
         }
-      struct k_vec o = k_along(k_along(k_scale(x, a[0]), a[1], y), a[2], z);
+      struct k_vec o = k_along(k_along(k_scale(x, 3 * a[0]), 3 * a[1], y),
+                               3 * a[2], z);
       struct k_vec to = k_along(k_along(k_scale(x, a[3] * near),
                                         a[4] * near, y), a[5] * near, z);
       ray_t *ray = battery_ray(run, model, o, k_sub(to, o));

@@ -162,7 +162,7 @@ run_outline(struct run *run)
           rays++;
         }
     }
-  if (battery_is_base(run))
+  if (run->is_told)
     {
       PASS(wrong == 0, "%s %s: %u of %u points wrong",
            outline == &outlines[0] ? "G01" : "G02", outline->name, wrong,
@@ -200,7 +200,7 @@ run_G03(struct run *run)
           int expected = reference_inside(o, d, 6, v);
           check_inside(run, model, o, d, expected, &wrong);
         }
-      if (battery_is_base(run))
+      if (run->is_told)
         {
           PASS(wrong == 0, "G03 %u of 1200 points 1e-%d from an edge wrong",
                wrong, e);
@@ -300,7 +300,7 @@ run_G04(struct run *run)
       note_number(run, hits);
       count_hits(hits, &leaks, &doubles);
     }
-  if (battery_is_base(run))
+  if (run->is_told)
     {
       PASS(leaks == 0, "G04 %u leaks of %u rays at a shared edge", leaks,
            rays);
@@ -343,7 +343,7 @@ run_G04_objects(struct run *run)
         }
       [pool release];
     }
-  if (battery_is_base(run))
+  if (run->is_told)
     {
       PASS(leaks == 0, "G04 %u leaks of 18000 rays at two polygons", leaks);
       PASS(doubles == 0, "G04 %u double hits of 18000", doubles);
@@ -384,7 +384,7 @@ run_G05(struct run *run)
           count_hits(hits, &leaks, &doubles);
         }
     }
-  if (battery_is_base(run))
+  if (run->is_told)
     {
       PASS(leaks == 0, "G05 %u leaks of 200000 rays at the hub of a fan",
            leaks);
@@ -432,7 +432,7 @@ run_G06(struct run *run)
           check_inside(run, model, o, d, reference_inside(o, d, 3, v),
                        &wrong);
         }
-      if (battery_is_base(run))
+      if (run->is_told)
         {
           PASS(wrong == 0, "G06 %u of 4000 points at a sliver of width %g"
                " wrong", wrong, widths[w]);
@@ -635,7 +635,7 @@ run_G11(struct run *run)
                            &wrong);
             }
         }
-      if (battery_is_base(run))
+      if (run->is_told)
         {
           PASS(wrong == 0, "G11 %s: %u of 20000 points not as even-odd has"
                " it", knots[k].name, wrong);
@@ -675,7 +675,7 @@ run_G12(struct run *run)
                        &wrong);
         }
     }
-  if (battery_is_base(run))
+  if (run->is_told)
     {
       PASS(leaks == 0, "G12 %u of 50000 rays at the bridge slip through",
            leaks);

@@ -60,12 +60,13 @@ static unsigned spy_count;
 
 @end
 
-/** The ray of that generation that goes on along `way`; NULL if there is
-    none. */
+/** The last ray of that generation that goes on along `way`: the one that was
+    refracted each time, for a reflected ray is traced before the refracted
+    one. NULL if there is none. */
 static inline const struct seen *
 spy_find(unsigned depth, struct k_vec way)
 {
-  for (unsigned i = 0; i < spy_count; i++)
+  for (unsigned i = spy_count; i-- > 0;)
     {
       if (!spy_seen[i].is_feeler && spy_seen[i].depth == depth
           && k_dot(spy_seen[i].dir, way) > 0)
