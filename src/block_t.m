@@ -36,18 +36,11 @@
   keyword = name = nil;
 }
 
-static NSString *
-string(struct token t)
-{
-  return [[NSString alloc] initWithBytes: t.at length: t.length
-                                encoding: NSUTF8StringEncoding];
-}
-
 - (NSString *) keyword
 {
   if (keyword == nil)
     {
-      keyword = string(store->kinds[record->kind].word);
+      keyword = [token_string(store->kinds[record->kind].word) retain];
     }
   return keyword;
 }
@@ -56,7 +49,9 @@ string(struct token t)
 {
   if (name == nil)
     {
-      name = string(record->name);
+      name = [[NSString alloc] initWithBytes: record->name.at
+                                length: record->name.length
+                              encoding: NSUTF8StringEncoding];
     }
   return name;
 }
@@ -136,7 +131,7 @@ word(const struct value *value)
   const struct given *given = [self given: attribute at: 0];
 
   return given == NULL ? nil
-    : [string(word(&store->values[given->value])) autorelease];
+    : token_string(word(&store->values[given->value]));
 }
 
 - (material_t *) material

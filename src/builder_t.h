@@ -5,7 +5,7 @@
 #import "store_t.h"
 #import "text_t.h"
 
-@class block_t, diag_t;
+@class block_t, diag_t, unknown_t;
 
 @interface builder_t : NSObject
 {
@@ -15,7 +15,7 @@
   model_t *model;
   block_t *block;
   material_t **materials;       // per record of the store
-  NSArray *material_names;      // for suggestions
+  unknown_t *unknown;
 }
 
 - (id) init: (store_t *)store text: (text_t *)text diag: (diag_t *)diag;

@@ -4,11 +4,7 @@
 #import "diag_t.h"
 #import "light_t.h"
 #import "material_t.h"
-#include "attribute_check.h"
-#include "utf8.h"
-
-// More names than this are too many for a message.
-#define LISTED_NAMES 8
+#import "unknown_t.h"
 
 @implementation builder_t
 
@@ -23,6 +19,7 @@
       materials = calloc(store->record_count + 1, sizeof *materials);
       block = [[block_t alloc] init: store text: text diag: diag
                           materials: materials];
+      unknown = [[unknown_t alloc] init: store text: text diag: diag];
     }
   return self;
 }
@@ -31,62 +28,8 @@
 {
   free(materials);
   [block release];
-  [material_names release];
+  [unknown release];
   [super dealloc];
-}
-
-/** All names of materials, in the order of the text. */
-- (NSArray *) materialNames
-{
-  if (material_names == nil)
-    {
-      NSMutableArray *names = [NSMutableArray new];
-
-      for (unsigned i = 0; i < store->record_count; i++)
-        {
-          if (materials[i])
-            {
-              [names addObject: materials[i]->name];
-            }
-        }
-      material_names = names;
-    }
-  return material_names;
-}
-
-/** What could have been meant by an unknown name, for the end of a message. */
-- (NSString *) advise: (NSString *)name
-{
-  NSArray *names = [self materialNames];
-  NSString *advice = [diag_t suggestionFor: name among: names];
-  NSUInteger count = [names count];
-
-  return [advice length] > 0 ? advice
-    : count == 0 ? @"; there is no material in the model"
-    : count > LISTED_NAMES ? @"; expected the name of a material"
-    : [NSString stringWithFormat: @"; expected %@",
-                attribute_list(names, @"or")];
-}
-
-- (void) refuse: (struct value)value for: (struct record *)record
-{
-  struct token word = store->kinds[record->kind].word;
-
-  if ([diag wantsFault: value.order])
-    {
-      NSString *name = [[NSString alloc] initWithBytes: value.word
-                                                length: value.length
-                                              encoding: NSUTF8StringEncoding];
-      [diag fault: [text placeAt: value.order]
-                 : @"unknown material %@ for %@ %@%@",
-            utf8_quote(value.word, value.length),
-            [[[NSString alloc] initWithBytes: word.at length: word.length
-                                    encoding: NSUTF8StringEncoding]
-              autorelease],
-            utf8_quote(record->name.at, record->name.length),
-            [self advise: name]];
-      [name release];
-    }
 }
 
 /** Whether the materials that a block names exist. A fault if not, unless
@@ -109,7 +52,7 @@
               if (!store->is_partial && !store->is_nameless
                   && [store find: KIND_UNKNOWN : name] == NO_RECORD)
                 {
-                  [self refuse: value for: record];
+                  [unknown refuse: value of: record];
                 }
             }
         }

@@ -6,6 +6,7 @@
 #import "help.h"
 #import "job_t.h"
 #import "outfile_t.h"
+#include "arithmetic.h"
 #include "version.h"
 #include <fcntl.h>
 #include <signal.h>
@@ -101,6 +102,12 @@ run(job_t *job, const struct settings *settings)
 {
   NSError *error = nil;
 
+  if (arithmetic_fault())
+    {
+      tell([NSString stringWithFormat: @"this machine's arithmetic %s: the"
+                     @" picture would be another one", arithmetic_fault()]);
+      return STATUS_FILE;
+    }
   if (![job open: &error])
     {
       return fail(error);

@@ -8,8 +8,12 @@ struct block_state
   struct record *record;
   uint64_t given;       // bits of the table's attributes
   uint64_t excused;     // those that an unknown one was meant to be
-  unsigned unknown[4];  // how many more unknown ones had so many values
+  unsigned values[4];   // how many more groups of so many values have no
+                        // attribute: they may be those of a missing one
   const struct attribute *last; // the attribute just read; NULL after a fault
+  const char *told;     // a brace at which there was a fault
+  unsigned inner;       // braces opened by mistake
+  BOOL is_closed;       // by a brace that came too early
 };
 
 @implementation mdl_t (attributes)
@@ -29,9 +33,17 @@ struct block_state
     }
   if (![self read: a into: values])
     {
+      struct token found = token_peek(text->cursor);
+
       [self spoil: state->record];
-      [self resumeInside];
       state->last = NULL;
+      state->told = found.at;
+      if (token_is(found, "{"))
+        {
+          token_next(&text->cursor);
+          state->inner++;
+        }
+      [self resumeInside];
       return;
     }
   if (!is_second)
@@ -41,28 +53,42 @@ struct block_state
   state->last = a;
 }
 
-/** A word that is no attribute. */
-- (void) refuseWord: (struct token)t state: (struct block_state *)state
+/** More values than the last attribute has. The first one is a number. */
+- (void) refuseValue: (struct token)t state: (struct block_state *)state
 {
   const struct attribute *last = state->last;
+  unsigned values;
 
-  [self spoil: state->record];
-  state->last = NULL;
-  if (last && [self isNumber: t])
+  if (last)
     {
       FAULT(t.at, @"expected %@ for %s%@, found one more: %@",
             attribute_expected(last, attribute_values(last)), last->name,
             [self owner], [self quote: t]);
-      [self resumeInside];
-      return;
     }
+  else
+    {
+      FAULT(t.at, @"expected an attribute%@ or '}', found %@", [self owner],
+            [self quote: t]);
+    }
+  values = 1 + [self resumeInside];
+  state->values[MIN(values, 4) % 4]++;
+}
 
+/** A word that is no attribute. */
+- (void) refuseWord: (struct token)t state: (struct block_state *)state
+{
   FAULT(t.at, @"unknown attribute %@%@%@", [self quote: t], [self owner],
         [self advise: t among: attribute_names(kind.table)]);
+  if (state->last && state->last->kind == ATTRIBUTE_MATERIAL)
+    {
+      // It may be the material, and what was taken for that is not.
+      store->given_count--;
+      state->record->given_count--;
+    }
 
   NSAutoreleasePool *pool = [NSAutoreleasePool new];
   NSString *meant = [self nearestTo: t among: attribute_names(kind.table)];
-  unsigned words = [self resumeInside];
+  unsigned values = [self resumeInside];
 
   if (meant)
     {
@@ -73,9 +99,69 @@ struct block_state
     }
   else
     {
-      state->unknown[words < 4 ? words : 0]++;
+      // With no values it may be one itself, without its attribute.
+      state->values[values == 0 ? 1 : MIN(values, 4) % 4]++;
     }
   [pool drain];
+}
+
+/** A closing brace. NO if the block goes on: that is a fault. */
+- (BOOL) close: (struct token)brace state: (struct block_state *)state
+{
+  BOOL is_told = state->told == brace.at;
+
+  if (![self isTooEarly: is_told])
+    {
+      return YES;
+    }
+
+  struct token t = token_peek(text->cursor);
+
+  [self spoil: state->record];
+  state->last = NULL;
+  if (state->inner > 0)
+    {
+      state->inner--;
+      return NO;
+    }
+  if (!is_told)
+    {
+      FAULT(t.at, @"expected a keyword, found %@: it would belong before the"
+            @" '}'%@", [self quote: t], [self owner]);
+    }
+  state->is_closed = YES;
+  [self resumeInside];
+  return NO;
+}
+
+/** Something that cannot be in a block, where its closing brace should be. */
+- (void) missBrace: (struct token)t state: (struct block_state *)state
+{
+  [self spoil: state->record];
+  if (!state->is_closed)
+    {
+      FAULT(t.at, @"expected '}' after the attributes%@, found %@",
+            [self owner], [self quote: t]);
+    }
+}
+
+/** Something else than an attribute. */
+- (void) refuse: (struct token)t state: (struct block_state *)state
+{
+  [self spoil: state->record];
+  if (token_is(t, "include"))
+    {
+      [self refuseInclude];
+    }
+  else if ([self isNumber: t])
+    {
+      [self refuseValue: t state: state];
+    }
+  else
+    {
+      [self refuseWord: t state: state];
+    }
+  state->last = NULL;
 }
 
 /** Reads up to the closing brace and past it. NO if it is missing. */
@@ -89,37 +175,38 @@ struct block_state
 
       if (token_is(t, "}"))
         {
-          return YES;
+          if ([self close: t state: state])
+            {
+              return YES;
+            }
         }
-      // The attribute `material` is also the start of a block.
-      if (a && (a->kind != ATTRIBUTE_MATERIAL || ![self isBlockAt: here]))
+      else if (a && (a->kind != ATTRIBUTE_MATERIAL
+                     || ![self isBlockNotAttributeAt: here]))
         {
           [self readAttribute: a word: t state: state];
         }
       else if (token_is(t, "{"))
         {
           [self spoil: state->record];
-          open_braces++;
+          state->inner++;
           FAULT(t.at, @"expected an attribute%@ or '}', found '{'",
                 [self owner]);
         }
       else if (t.length == 0 || [self isBlockAt: here]
                || ([self isDirective: t] && ![self isClosed]))
         {
-          [self spoil: state->record];
-          FAULT(t.at, @"expected '}' after the attributes%@, found %@",
-                [self owner], [self quote: t]);
+          [self missBrace: t state: state];
           text->cursor = here;
           return NO;
         }
-      else if (token_is(t, "include"))
+      else if ([self isEndBehind: t])
         {
-          [self spoil: state->record];
-          [self refuseInclude];
+          [self missBrace: t state: state];
+          return NO;
         }
       else
         {
-          [self refuseWord: t state: state];
+          [self refuse: t state: state];
         }
     }
 }
@@ -135,9 +222,9 @@ is_excused(struct block_state *state, const struct attribute *table,
     {
       return YES;
     }
-  if (state->unknown[values])
+  if (state->values[values])
     {
-      state->unknown[values]--;
+      state->values[values]--;
       return YES;
     }
   return NO;
@@ -174,6 +261,7 @@ is_excused(struct block_state *state, const struct attribute *table,
     {
       [self requireAttributes: &state keyword: keyword];
     }
+  open_braces += state.inner;
 }
 
 @end

@@ -13,57 +13,79 @@
     }
 }
 
-/** Reads the name and makes the block known by it. */
+/** Reads the name. Adds the block, which is faulty if it has none. */
 - (struct record *) readName: (unsigned)kind_number
                      keyword: (struct token)keyword
 {
   struct token t = token_peek(text->cursor);
-  BOOL has_name = token_is_word(t);
+  struct cursor behind = text->cursor;
+  BOOL is_brace = token_is_brace(t);
 
-  name = has_name ? token_next(&text->cursor) : (struct token){ t.at, 0 };
+  token_next(&behind);
+  if (is_brace && token_is_word(token_next(&behind))
+      && token_is(token_next(&behind), "{"))
+    {
+      // The brace has nothing to do there, the name comes next.
+      open_braces += *t.at == '{';
+      token_next(&text->cursor);
+    }
+  name = token_peek(text->cursor);
+  if (token_is_word(name))
+    {
+      token_next(&text->cursor);
+    }
+  else
+    {
+      name.length = 0;
+    }
 
   struct record *record =
     [store begin: kind_number at: [self orderOf: keyword]
             name: name at: [self orderOf: name]];
 
-  if (!has_name)
+  if (is_brace || name.length == 0)
     {
       [self spoil: record];
-      store->is_nameless |= kind_number == KIND_MATERIAL;
+      store->is_nameless |= kind_number == KIND_MATERIAL && name.length == 0;
       FAULT(t.at, @"expected a name for the %@, found %@",
-            reader_string(kind.word), [self quote: t]);
-    }
-  if (kind_number == KIND_CAMERA)
-    {
-      if (store->camera != NO_RECORD)
-        {
-          [self spoil: record];
-          unsigned first = store->records[store->camera].order;
-          FAULT(keyword.at, @"second camera, expected one in the whole model;"
-                @" the first is at %@",
-                [diag nameOf: [text placeAt: first]]);
-          return record;
-        }
-      store->camera = store->record_count - 1;
-      store->has_camera = YES;
-    }
-  if (has_name)
-    {
-      unsigned other = [store enter];
-      if (other != NO_RECORD)
-        {
-          [self spoil: record];
-          unsigned first = store->records[other].name_order;
-          FAULT(name.at, @"second %@ of the name %@, expected another name;"
-                @" the first is at %@", reader_string(kind.word),
-                [self quote: name], [diag nameOf: [text placeAt: first]]);
-        }
+            token_string(kind.word), [self quote: t]);
     }
   return record;
 }
 
-/** Goes past the opening brace. NO if the block has none. */
-- (BOOL) openBrace: (struct record *)record
+/** Notes the first camera. NO, with a fault, for another one. */
+- (BOOL) isOnlyCamera: (struct token)keyword
+{
+  if (store->camera == NO_RECORD)
+    {
+      store->camera = store->record_count - 1;
+      store->has_camera = YES;
+      return YES;
+    }
+  FAULT(keyword.at, @"second camera, expected one in the whole model; the"
+        @" first is at %@", [diag nameOf: [text placeAt:
+          store->records[store->camera].order]]);
+  return NO;
+}
+
+/** Makes the block known by its name. NO, with a fault, if the name is
+    taken. */
+- (BOOL) isOnlyOne
+{
+  unsigned other = name.length ? [store enter] : NO_RECORD;
+
+  if (other != NO_RECORD)
+    {
+      FAULT(name.at, @"second %@ of the name %@, expected another name; the"
+            @" first is at %@", token_string(kind.word), [self quote: name],
+            [diag nameOf: [text placeAt: store->records[other].name_order]]);
+    }
+  return other == NO_RECORD;
+}
+
+/** Goes past the opening brace. NO if the block has none. *extra is the word
+    before it if that is too much: maybe the name is meant. */
+- (BOOL) openBrace: (struct record *)record extra: (struct token *)extra
 {
   struct token t = token_peek(text->cursor);
 
@@ -86,27 +108,42 @@
   // The attributes may start a little later.
   while (token_is_word(t) && ![self isBlockAt: text->cursor])
     {
-      token_next(&text->cursor);
+      *extra = token_next(&text->cursor);
       t = token_peek(text->cursor);
     }
   if (token_is_brace(t))
     {
       token_next(&text->cursor);
     }
+  if (token_is(t, "}") && token_is(token_peek(text->cursor), "{"))
+    {
+      t = token_next(&text->cursor);
+    }
   return token_is(t, "{");
 }
 
 - (void) readBlock: (unsigned)kind_number keyword: (struct token)keyword
 {
+  struct token extra = { NULL, 0 };
+
   kind = store->kinds[kind_number];
 
   struct record *record = [self readName: kind_number keyword: keyword];
 
-  if ([self openBrace: record])
+  if ((kind_number == KIND_CAMERA && ![self isOnlyCamera: keyword])
+      || ![self isOnlyOne])
+    {
+      [self spoil: record];
+    }
+  if ([self openBrace: record extra: &extra])
     {
       [self readAttributesOf: record keyword: keyword];
     }
   kind.table = NULL;
+  if (extra.length > 0)
+    {
+      [store noteName: extra];
+    }
 }
 
 @end

@@ -88,7 +88,7 @@
 /** The file (autoreleased), or nil with a fault. */
 - (source_t *) find: (struct token)token at: (const char *)at
 {
-  NSString *path = reader_string(token);
+  NSString *path = token_string(token);
   NSError *error = nil, *reason = nil;
 
   for (NSString *candidate in [self candidates: path])

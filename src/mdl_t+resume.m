@@ -42,6 +42,57 @@
   return *next_brace == '}';
 }
 
+- (BOOL) isBlockNotAttributeAt: (struct cursor)cursor
+{
+  if (![self isBlockAt: cursor])
+    {
+      return NO;
+    }
+
+  unsigned other = [store kindFor: token_next(&cursor)];
+
+  token_next(&cursor);
+  token_next(&cursor);
+
+  struct token t = token_next(&cursor);
+
+  return !attribute_named(kind.table, t)
+    || attribute_named(store->kinds[other].table, t);
+}
+
+- (BOOL) isTooEarly: (BOOL)is_told
+{
+  struct cursor ahead = text->cursor;
+  struct token t = token_next(&ahead);
+  unsigned other = [store kindFor: t];
+
+  if (token_is_word(t) && other == KIND_UNKNOWN)
+    {
+      return attribute_named(kind.table, t) || [self isNumber: t]
+        || (is_told && ![self isDirective: t]
+            && ![self looksLikeBlock: text->cursor]);
+    }
+  if (other == KIND_UNKNOWN || !attribute_named(kind.table, t))
+    {
+      return NO;
+    }
+  // A keyword that is an attribute, a name, and what an attribute follows.
+  token_next(&ahead);
+  t = token_next(&ahead);
+  return attribute_named(kind.table, t)
+    && !attribute_named(store->kinds[other].table, t);
+}
+
+- (BOOL) isEndBehind: (struct token)t
+{
+  struct cursor behind = text->cursor;
+  struct token next = token_peek(behind);
+
+  return ![self isNumber: t]
+    && (next.length == 0 || [self isBlockAt: behind]
+        || ([self isDirective: next] && ![self isClosed]));
+}
+
 /** Whether a word may have been meant to be an attribute of the block. */
 - (BOOL) isNearAttribute: (struct token)t
 {
@@ -53,6 +104,13 @@
   return is_near;
 }
 
+/** Whether the first attribute of a block is one of a camera. */
+- (BOOL) isCameraAt: (struct cursor)cursor
+{
+  return attribute_named(store->kinds[KIND_CAMERA].table,
+                         token_next(&cursor)) != NULL;
+}
+
 /** Goes past words, and past braces with all they hold, to something that can
     be read. A block of a known kind is that wherever it is: the braces round
     it are open_braces then. */
@@ -61,6 +119,7 @@
 {
   struct cursor last[2];        // the last two words since a brace
   unsigned depth = 0, count = 0, compared = 0;
+  BOOL has_name = !token_is(token_peek(text->cursor), "{");
 
   for (;;)
     {
@@ -70,7 +129,7 @@
       if (t.length == 0 || (depth == 0 && is_inside && token_is(t, "}")))
         {
           text->cursor = here;
-          if (depth > 0)
+          if (depth > 0 && has_name)
             {
               FAULT(t.at, @"expected '}', found the end of the file");
             }
@@ -93,9 +152,10 @@
               open_braces += depth;
               return;
             }
-          if (depth++ == 0 && count > 0)
+          if (depth++ == 0 && !is_inside)
             {
-              *block = token_peek(last[1]);
+              *block = count > 0 ? token_peek(last[1]) : *block;
+              store->has_camera |= [self isCameraAt: text->cursor];
             }
           count = 0;
         }

@@ -78,8 +78,19 @@ includePath: (NSArray *)path;
 /** The same, and the word is a block word. */
 - (BOOL) isBlockAt: (struct cursor)cursor;
 
+/** The same, when the word is also an attribute of the block that is being
+    read: what follows the brace tells. */
+- (BOOL) isBlockNotAttributeAt: (struct cursor)cursor;
+
 /** Whether a brace is closed before one is opened. */
 - (BOOL) isClosed;
+
+/** Whether something that belongs in the block follows its closing brace.
+    `is_told`: what was expected in place of the brace is missing. */
+- (BOOL) isTooEarly: (BOOL)is_told;
+
+/** Whether the block ends behind the last token, which is no brace. */
+- (BOOL) isEndBehind: (struct token)t;
 
 /** Whether the token is `include` or `background`. */
 - (BOOL) isDirective: (struct token)t;

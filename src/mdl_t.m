@@ -26,8 +26,8 @@
 {
   return kind.table == NULL ? @""
     : name.length == 0
-    ? [NSString stringWithFormat: @" of the %@", reader_string(kind.word)]
-    : [NSString stringWithFormat: @" of %@ %@", reader_string(kind.word),
+    ? [NSString stringWithFormat: @" of the %@", token_string(kind.word)]
+    : [NSString stringWithFormat: @" of %@ %@", token_string(kind.word),
                 [self quote: name]];
 }
 
@@ -92,6 +92,14 @@
         }
       return;
     }
+  t = token_peek(text->cursor);
+  if (token_is(t, "}"))
+    {
+      struct cursor behind = text->cursor;
+      token_next(&behind);
+      text->cursor = [self isNumber: token_peek(behind)] ? behind
+        : text->cursor;
+    }
   // Past the rest of the values, up to what looks like something else.
   for (t = token_peek(text->cursor);
        token_is_word(t) && ![self endsValues: t]
@@ -127,9 +135,7 @@
 
   struct token block = [self resumeOutside];
 
-  [store begin: KIND_UNKNOWN at: [self orderOf: t]
-          name: block.length ? block : t at: [self orderOf: t]];
-  [store enter];
+  [store noteName: block.length > 0 ? block : t];
 }
 
 - (void) readItem: (struct token)t

@@ -133,8 +133,10 @@ struct surface
 - (void) replace: (NSArray *)parts by: (object_t *)whole
 {
   NSUInteger at = [surfaces indexOfObjectIdenticalTo: [parts objectAtIndex: 0]];
-  NSHashTable *gone = [NSHashTable hashTableWithOptions:
-                                     NSHashTableObjectPointerPersonality];
+  // Opaque: GNUstep's table of retained objects retains them twice.
+  NSHashTable *gone
+    = [NSHashTable hashTableWithOptions: NSPointerFunctionsOpaqueMemory
+                                         | NSPointerFunctionsOpaquePersonality];
   NSMutableArray *kept = [NSMutableArray array];
 
   [surfaces replaceObjectAtIndex: at withObject: whole];

@@ -16,7 +16,7 @@
     {
       record->is_faulty = YES;
       FAULT(letter.at, @"the name of this %@, %@, is taken at %@",
-            reader_string(store->kinds[kind].word), reader_string(name),
+            token_string(store->kinds[kind].word), token_string(name),
             [diag nameOf: [text placeAt: store->records[other].name_order]]);
     }
   return record;

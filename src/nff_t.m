@@ -12,7 +12,7 @@
 
 - (NSString *) owner
 {
-  return [NSString stringWithFormat: @" of %@", reader_string(letter)];
+  return [NSString stringWithFormat: @" of %@", token_string(letter)];
 }
 
 /** What starts a line is no value any more. */

@@ -39,7 +39,7 @@
   NSString *name;
   unsigned number;      // 1, 2, 3 … in the order of declaration
   double slack;         // how far off its surface its hits may be: 2^-30 of
-                        // its size unless the class knows better
+                        // its box's coordinates unless the class knows better
 }
 
 - (id) initWithBlock: (block_t *)block;

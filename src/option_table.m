@@ -35,7 +35,7 @@ const struct option option_table[] = {
     .help = "where in a pixel they go, for more than one: random, or grid"
             " (N x N of them)" },
   { .name = "exposure", .value = "N", .kind = OPTION_WHOLE,
-    .offset = AT(exposure), .count = 1, .least = 1, .most = MILLION,
+    .offset = AT(exposure), .count = 1, .least = 1, .most = 1000 * MILLION,
     .is_shaping = YES,
     .help = "rays through the lens for each sample, in place of the"
             " camera's exposure" },

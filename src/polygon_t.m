@@ -19,12 +19,12 @@
   return table;
 }
 
-/** Takes the vertices over, repeated neighbours once, -0 as +0. */
+/** Takes the vertices over, repeated neighbours once, -0 as +0. The first one
+    stays the first: the plane goes through it. */
 - (void) readVertices: (block_t *)block
 {
   unsigned given = [block count: "vertex"];
-  struct k_vec last = k_add([block vector: "vertex" at: given - 1],
-                            k_vec(0, 0, 0));
+  struct k_vec first = k_vec(0, 0, 0), last = first;
 
   for (int axis = 0; axis < 3; axis++)
     {
@@ -34,15 +34,20 @@
   for (unsigned i = 0; i < given; i++)
     {
       struct k_vec v = k_add([block vector: "vertex" at: i], k_vec(0, 0, 0));
-      if (!k_is_equal(v, last) || (i == given - 1 && count == 0))
+      if (count == 0 || !k_is_equal(v, last))
         {
           vertex[0][count] = v.x;
           vertex[1][count] = v.y;
           vertex[2][count] = v.z;
+          first = count == 0 ? v : first;
+          last = v;
           count++;
           box = k_bounds_include(box, v);
         }
-      last = v;
+    }
+  while (count > 1 && k_is_equal([self vertexAt: count - 1], first))
+    {
+      count--;
     }
 }
 
@@ -200,7 +205,7 @@
       double turn = k_dot(newell, k_cross(ab, bc));
       double noise = slack * (k_norm1(ab) + k_norm1(bc));
       double step = k_component(c, axis) - k_component(b, axis);
-      int sign = (step > 0) - (step < 0);
+      int sign = (step > slack) - (step < -slack);
       turns |= turn > noise ? 1 : turn < -noise ? 2 : 0;
       flips += sign != 0 && last_sign != 0 && sign != last_sign;
       last_sign = sign != 0 ? sign : last_sign;

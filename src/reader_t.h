@@ -20,9 +20,6 @@
     } \
   while (0)
 
-// No word of more bytes is compared with others.
-#define LONGEST_WORD 64
-
 @interface reader_t : NSObject
 {
   text_t *text;
@@ -73,6 +70,3 @@
 - (BOOL) isNumber: (struct token)t;
 
 @end
-
-/** A token as a string (autoreleased). */
-NSString *reader_string(struct token t);

@@ -7,13 +7,6 @@
 // After so many no more guesses are made.
 #define ENOUGH_FAULTS 1000
 
-NSString *
-reader_string(struct token t)
-{
-  return [[[NSString alloc] initWithBytes: t.at length: t.length
-                                 encoding: NSUTF8StringEncoding] autorelease];
-}
-
 @implementation reader_t
 
 - (id) init: (text_t *)theText into: (store_t *)theStore
@@ -83,7 +76,7 @@ reader_string(struct token t)
     }
 
   NSAutoreleasePool *pool = [NSAutoreleasePool new];
-  NSString *nearest = [diag_t nearestTo: reader_string(t) among: words];
+  NSString *nearest = [diag_t nearestTo: token_string(t) among: words];
 
   [pool drain];
   return nearest;
@@ -92,7 +85,7 @@ reader_string(struct token t)
 - (NSString *) suggest: (struct token)t among: (NSArray *)words
 {
   return t.length > LONGEST_WORD ? @""
-    : [diag_t suggestionFor: reader_string(t) among: words];
+    : [diag_t suggestionFor: token_string(t) among: words];
 }
 
 - (NSString *) advise: (struct token)t among: (NSArray *)words
@@ -188,14 +181,22 @@ reader_string(struct token t)
   return number_read(t.at, t.length, c_locale, &value) != NUMBER_NONE;
 }
 
+/** Whether values cannot go on here. */
+- (BOOL) isAtEnd
+{
+  struct token t = token_peek(text->cursor);
+
+  return !token_is_word(t) || [self endsValues: t];
+}
+
 - (BOOL) readWord: (const struct attribute *)a into: (struct value *)value
 {
   struct cursor here = text->cursor;
   struct token t = token_next(&text->cursor);
 
-  // A word that is an attribute too is a name, unless its numbers follow.
-  if (!token_is_word(t) || ([self endsValues: t]
-                            && [self isNumber: token_peek(text->cursor)]))
+  // A word that is an attribute too is a name when another one follows, and
+  // an attribute when its values do.
+  if (!token_is_word(t) || ([self endsValues: t] && ![self isAtEnd]))
     {
       text->cursor = here;
       [self tooFew: t for: a have: 0];

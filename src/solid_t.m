@@ -141,7 +141,7 @@
     fixed direction crosses the faces. */
 - (BOOL) contains: (struct k_vec)P
 {
-  BOOL is_inside = is_convex;
+  BOOL is_inside = is_convex, is_on_face = NO;
   vec_t *pos = [[vec_t alloc] initWithValue: P];
   vec_t *dir = [[vec_t alloc] initWithValue: k_unit(k_vec(5, 3, 2))];
   ray_t *ray = [[ray_t alloc] init: pos : dir];
@@ -153,16 +153,17 @@
         {
           is_inside &= k_dot(face->plane.n, k_sub(P, face->plane.q)) < 0;
         }
-      else if (k_plane_hit(&face->plane, P, dir->v, &t) && t > 0
+      else if (k_plane_hit(&face->plane, P, dir->v, &t) && t >= 0
                && [face holds: ray at: t])
         {
           is_inside = !is_inside;
+          is_on_face |= t == 0;
         }
     }
   [ray release];
   [dir release];
   [pos release];
-  return is_inside;
+  return is_inside && !is_on_face;
 }
 
 /** A convex solid: the ray is in front of some faces until the last of them

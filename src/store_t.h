@@ -101,6 +101,10 @@ struct record
     name already, that stays and is returned; otherwise NO_RECORD. */
 - (unsigned) enter;
 
+/** Notes a name that may have been meant for a block: who asks for it must not
+    be told that there is none. */
+- (void) noteName: (struct token)word;
+
 /** The record of that kind and name; NO_RECORD if there is none. */
 - (unsigned) find: (unsigned)kind : (struct token)name;
 

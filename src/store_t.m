@@ -53,6 +53,22 @@ struct name
   [super dealloc];
 }
 
+/** Whether a word can be part of a class's name. */
+static BOOL
+is_identifier(struct token word)
+{
+  for (size_t i = 0; i < word.length; i++)
+    {
+      char c = word.at[i];
+      if (!((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')
+            || (c >= '0' && c <= '9') || c == '_'))
+        {
+          return NO;
+        }
+    }
+  return word.length > 0 && word.length <= LONGEST_WORD;
+}
+
 - (unsigned) kindFor: (struct token)word
 {
   for (unsigned i = KIND_CAMERA; i < kind_count; i++)
@@ -62,18 +78,14 @@ struct name
           return i;
         }
     }
-  if (word.length > 64 || token_is_brace(word)
+  if (!is_identifier(word)
       || (unknown.at && token_is_same(unknown, word)))
     {
       return KIND_UNKNOWN;
     }
 
   NSAutoreleasePool *pool = [NSAutoreleasePool new];
-  NSString *name = [[[NSString alloc] initWithBytes: word.at
-                                             length: word.length
-                                           encoding: NSUTF8StringEncoding]
-                     autorelease];
-  Class class = [registry_t shapeForWord: name];
+  Class class = [registry_t shapeForWord: token_string(word)];
 
   [pool drain];
   if (class == Nil)
@@ -199,6 +211,12 @@ hash_of(unsigned kind, struct token name)
       return NO_RECORD;
     }
   return slot->record;
+}
+
+- (void) noteName: (struct token)word
+{
+  [self begin: KIND_UNKNOWN at: 0 name: word at: 0];
+  [self enter];
 }
 
 - (unsigned) find: (unsigned)kind : (struct token)name

@@ -5,7 +5,11 @@
 #ifndef TOKEN_H
 #define TOKEN_H
 
+#import <Foundation/Foundation.h>
 #include <string.h>
+
+// No word of more bytes can be meant for one that is known.
+#define LONGEST_WORD 64
 
 /** A word or a brace; of length 0 at the end of the text. */
 struct token
@@ -113,6 +117,14 @@ static inline int
 token_is_brace(struct token t)
 {
   return t.length == 1 && token_byte(*t.at) == TOKEN_BRACE;
+}
+
+/** As a string (autoreleased). */
+static inline NSString *
+token_string(struct token t)
+{
+  return [[[NSString alloc] initWithBytes: t.at length: t.length
+                                 encoding: NSUTF8StringEncoding] autorelease];
 }
 
 /** Any token but a brace. */

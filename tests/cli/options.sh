@@ -62,7 +62,7 @@ for bad in x 1025 -1 +1 1.5 1e2 0x4 ' 1' '1 ' '' 99999999999999999999; do
     "--threads=$bad" pin.mdl
 done
 wrong "option '--samples' takes $whole 1 to 1000000, not '0'" --samples 0
-wrong "option '--exposure' takes $whole 1 to 1000000, not '0'" --exposure 0
+wrong "option '--exposure' takes $whole 1 to 1000000000, not '0'" --exposure 0
 wrong "option '--max-depth' takes $whole 0 to 1000, not '1001'" \
   --max-depth 1001
 huge=18446744073709551616

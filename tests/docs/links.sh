@@ -154,7 +154,7 @@ sed -n '/^    camera eye /,/^    sphere ball /s/^    //p' README.md \
   >"$place/ball.mdl"
 cd "$place" || exit
 pass "the scene of README.md is rendered" ./raytrace ball.mdl -o ball.ppm
-sed -i 's/material red  center/material rde  centre/' ball.mdl
+sed -i 's/location 0 4 3/location 0 4/; s/material red  /material rde  /' ball.mdl
 same "$("$RAYTRACE" --check ball.mdl 2>&1)" \
   "$(sed -n '/^    ball.mdl:/,/^$/s/^    //p' "$ROOT/README.md")" \
   "README.md shows the messages there are"

@@ -21,7 +21,7 @@ sphere ball
 {
    material dull
    center   2 1.5 -2
-   radius   .5
+   radius   .9
 }
 END
 sed 's/ambient 1 2 3/ambient 1 2.25 3/' scene.mdl >greener.mdl

@@ -4,7 +4,6 @@
 # the picture and the difference stay in build/golden/. tests/golden/update
 # makes the kept ones anew, on purpose.
 . "$ROOT/tests/test.sh"
-. "$ROOT/tests/golden/render.sh"
 
 compare=$PROGRAMS/golden/exrcompare
 failed=$ROOT/build/golden/$BUILD
@@ -19,7 +18,7 @@ is_golden()
     echo "there is no ${2#"$ROOT"/}: tests/golden/update makes it"
     return 1
   fi
-  golden_render "$1" "$TMP/$name.exr" || return
+  "$ROOT/tests/golden/render" "$1" "$TMP/$name.exr" || return
   if ! "$compare" "$2" "$TMP/$name.exr" "$TMP/$name.ppm"; then
     mkdir -p "$failed"
     mv "$TMP/$name".* "$failed"

@@ -239,9 +239,11 @@ not_on_the_stack(void)
   model_t *model = support_model
     (WORLD "sphere s { material glass center 0 0 0 radius 1 }\n"
      "material white { ambient 1 1 1 }\n"
-     "plane b { material white normal 0 0 1 point 0 0 -5 }\n");
+     "plane b { material white normal 0 0 1 point 0 0 -5 }\n"
+     "plane g { material glass normal 0 1 0 point 0 9 0 }\n");
   ray_t *ray = [(ray_t *)[ray_t alloc] init: [vec_t vec: k_vec(0, 0, 0)]
                                            : [vec_t vec: k_vec(0, 0, -1)]];
+  model->max_depth = 1;
   struct k_vec c = [ray trace: model]->v;
 
   // No media although it is inside: out of glass into air all the same.
@@ -249,7 +251,8 @@ not_on_the_stack(void)
   [ray release];
   ray = [(ray_t *)[ray_t alloc] init: [vec_t vec: k_vec(0, 0, 0)]
                                     : [vec_t vec: k_vec(0, 0, -1)]];
-  ray->media = [[media_t enter: model : 1.5 over: nil] retain];
+  object_t *g = support_object(model, "g");
+  ray->media = [[media_t enter: g : 1.5 over: nil] retain];
   c = [ray trace: model]->v;
   PASS_ULPS(c.x, 1.0 / 5, 4, "n_t is the top of the stack: 1.5 to 1.5");
   [ray release];

@@ -265,7 +265,7 @@ order(void)
           wrong += (a.object != nil) != (b.object != nil)
             || (a.object && (a.t != b.t || !support_same(a.N, b.N)));
           turned += (a.object != nil) != (c.object != nil)
-            || (a.object && (a.t != c.t || !support_same(a.N, k_neg(c.N))));
+            || (a.object && (a.t != c.t || !k_is_equal(a.N, k_neg(c.N))));
         }
       [pool release];
     }

@@ -7,7 +7,8 @@
 #import "registry_t.h"
 #include "test.h"
 
-/** A torus round the z axis: `torus name { material … ring … tube … }`. */
+/** A torus round the z axis:
+    `torus name { material … ring … tube … }`. */
 @interface torus_t : object_t <object_t>
 {
 @public

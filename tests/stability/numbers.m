@@ -15,8 +15,8 @@ mirror_color(double k, unsigned max_depth)
   model_t *model
     = support_model(SUPPORT_CAMERA "material m { diffuse 1 1 1 specular"
                     " %a %a %a shininess 1e9 } light l { location .75 0 0"
-                    " emissivity 1.25 1.25 1.25 falloff 0 } sphere s { material m center 0 0 0"
-                    " radius 1 }", k, k, k);
+                    " emissivity 1.25 1.25 1.25 falloff 0 } sphere s {"
+                    " material m center 0 0 0 radius 1 }", k, k, k);
 
   model->max_depth = max_depth;
   double color = support_trace(model, k_vec(0, 0, 0), k_vec(0, 0, -1)).x;

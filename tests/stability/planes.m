@@ -303,8 +303,17 @@ corner(struct run *run, struct k_vec x, struct k_vec y, struct k_vec z,
                                3 * a[2], z);
       struct k_vec to = k_along(k_along(k_scale(x, a[3] * near),
                                         a[4] * near, y), a[5] * near, z);
-      ray_t *ray = battery_ray(run, model, o, k_sub(to, o));
-      struct k_vec d = ray->dir->v;
+      // Unit to 2u: otherwise the first reflection takes that out.
+      struct k_vec d = q_double(q_unit(q_sub(q_of(to), q_of(o))));
+      if (fabs(k_dot(d, d) - 1) > 2 * U)
+        {
+          [pool release];
+          continue;
+        }
+      d = battery_turn(run, d);
+      vec_t *pos = [vec_t vec: battery_put(run, o)];
+      ray_t *ray = [[(ray_t *)[ray_t alloc] init: pos : [vec_t vec: d]]
+                     autorelease];
       for (int leg = 0; leg < 3; leg++)
         {
           [model find_closest: ray];

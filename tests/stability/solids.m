@@ -169,7 +169,7 @@ run_V01(struct run *run)
       model_t *model = prism_model(run, &p);
       for (unsigned w = 0; w < 168 / run->share; w++)
         {
-          walk_inside(run, model, &p, w, 200, .25, &walk);
+          walk_inside(run, model, &p, 1000 * (i + 1) + w, 200, .25, &walk);
         }
     }
   note_number(run, walk.escapes);
@@ -204,7 +204,8 @@ run_prism(struct run *run)
       model_t *model = prism_model(run, &p);
       for (unsigned w = 0; w < 200 / run->share; w++)
         {
-          walk_inside(run, model, &p, w, 200, prism_aimed, &walk);
+          walk_inside(run, model, &p, 1000 * (i + 1) + w, 200, prism_aimed,
+                      &walk);
         }
     }
   if (run->is_told && prism_aimed == 0)
@@ -227,6 +228,7 @@ run_prism(struct run *run)
            walk.dirty);
       PASS(walk.far == 0, "%s %u hits not on it", id, walk.far);
     }
+  note_number(run, walk.escapes);
 }
 
 // V04: a cube of ior 1 is not there
@@ -558,7 +560,9 @@ main(void)
   battery_run_share("V01 cube", run_V01, 42, 1);
   battery_run_share("V02 L-prism", run_prism, 40, 1);
   prism_aimed = .25;
-  battery_run_share("V03 L-prism", run_prism, 40, 1);
+  // At an edge, left is not right: which face a ray hits, and whether it
+  // slips through, is another matter when mirrored.
+  battery_run_share("V03 L-prism", run_prism, 40, 0);
   battery_run("V04 ior 1", run_V04);
   test_V05();
   test_V07();
