@@ -10,7 +10,7 @@ struct block_state
   uint64_t excused;     // those that an unknown one was meant to be
   unsigned values[4];   // how many more groups of so many values have no
                         // attribute: they may be those of a missing one
-  const struct attribute *last; // the attribute just read; NULL after a fault
+  const struct attribute *last; // the attribute just given; NULL after a fault
   const char *told;     // a brace at which there was a fault
   unsigned inner;       // braces opened by mistake
   BOOL is_closed;       // by a brace that came too early
@@ -46,11 +46,12 @@ struct block_state
       [self resumeInside];
       return;
     }
+  state->last = NULL;
   if (!is_second)
     {
       [store give: a at: [self orderOf: t] values: values];
+      state->last = a;
     }
-  state->last = a;
 }
 
 /** More values than the last attribute has. The first one is a number. */

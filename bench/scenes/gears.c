@@ -48,7 +48,7 @@ void
 scene_gears (struct emit *to, int size)
 {
   static const struct emit_view view = {
-    .from = { -1.0, -1.9, 2.35 }, .at = { 0, 0, 0.1 }, .up = { 0, 0, 1 },
+    .from = { -1.45, -2.7, 3.0 }, .at = { 0, 0, 0.45 }, .up = { 0, 0, 1 },
     .background = { 0.078, 0.361, 0.753 }
   };
   static const struct point lights[] = {

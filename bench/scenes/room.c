@@ -43,7 +43,7 @@ scene_room (struct emit *to, int size)
     .background = { 0, 0, 0 }
   };
   static const struct point lights[] = {
-    { -0.6, 0.9, 0.5 }, { 0.6, 0.9, 0.5 }
+    { -0.6, 0.9, 0.5 }, { 0.6, 0.9, 2 }
   };
   int i, j;
 

@@ -258,6 +258,46 @@ not_on_the_stack(void)
   [ray release];
 }
 
+static double
+normal_reflectance(double n_i, double n_t)
+{
+  return (n_t - n_i) / (n_t + n_i) * (n_t - n_i) / (n_t + n_i);
+}
+
+/** Straight through two balls that overlap: what is left behind is the ball's
+    own index, even when it is not on top. */
+static void
+indices(void)
+{
+  model_t *model = support_model
+    (WORLD "material white { ambient 1 1 1 }\n"
+     "sphere s { material glass center 0 0 1 radius 2 }\n"
+     "sphere w { material water center 0 0 -1 radius 2 }\n"
+     "plane b { material white normal 0 0 1 point 0 0 -5 }\n");
+  const double pairs[4][2] = { { 1, 1.5 }, { 1.5, 1.25 }, { 1.5, 1.25 },
+                               { 1.25, 1 } };
+  double want = 1 / 10.0;
+
+  model->max_depth = 4;
+  for (int i = 0; i < 4; i++)
+    {
+      want *= 1 - normal_reflectance(pairs[i][0], pairs[i][1]);
+    }
+  struct k_vec c = support_trace(model, k_vec(0, 0, 5), k_vec(0, 0, -1));
+  PASS_ULPS(c.x, want, 16, "through two overlapping balls: 1 to 1.5, 1.5 to"
+            " 1.25, 1.5 to 1.25, 1.25 to 1");
+
+  model = support_model
+    (WORLD "material white { ambient 1 1 1 }\n"
+     "sphere s { material glass center 0 0 0 radius 2 }\n"
+     "sphere b { material bubble center 0 0 0 radius 1 }\n"
+     "plane w { material white normal 0 0 1 point 0 0 -5 }\n");
+  model->max_depth = 4;
+  c = support_trace(model, k_vec(0, 0, 5), k_vec(0, 0, -1));
+  PASS_ULPS(c.x, pow(0.96, 4) / 10, 16, "through a bubble in glass: 1 to 1.5"
+            " and back, twice");
+}
+
 /** Each point of the lens is in what it is in by itself: a ball round the
     right half of the lens. */
 static void
@@ -323,6 +363,7 @@ main(void)
   solids();
   cavity();
   not_on_the_stack();
+  indices();
   lens();
   eye_in_the_middle();
   [pool release];

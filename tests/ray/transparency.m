@@ -142,6 +142,25 @@ thin_sheet(void)
   R = 0.04 + 0.96 * pow(0.4, 5);
   PASS_ULPS(c.x, (1 - R) * 8 / (13 / 0.6) + R / (13 / 0.6), 16,
             "and no total reflection under sin 0.8");
+  // Under water, n_i = 1.25: R0 = (.25/2.75)^2 for 1.5; a sheet of 1 reflects
+  // all above sin 0.8.
+  const char *water = SUPPORT_CAMERA
+    "material water { alpha 1 ior 1.25 }\nmaterial m { alpha 1 ior %g }\n"
+    "material up { ambient 8 8 8 }\nmaterial low { ambient 1 1 1 }\n"
+    "plane w { material water normal 0 0 1 point 0 0 90 }\n"
+    "polygon p { material m vertex -9 -9 0 vertex 9 -9 0 vertex 9 9 0"
+    " vertex -9 9 0 }\n"
+    "plane s { material up normal 0 0 -1 point 0 0 10 }\n"
+    "plane b { material low normal 0 0 1 point 0 0 -10 }\n";
+  double R0 = 0.25 / 2.75 * (0.25 / 2.75);
+  R = R0 + (1 - R0) * pow(0.2, 5);
+  c = support_trace(support_model(water, 1.5), k_vec(0, 0, 4),
+                    k_vec(3, 0, -4));
+  PASS_ULPS(c.x, (1 - R) / 17.5 + R * 8 / 17.5, 16, "a sheet under water");
+  c = support_trace(support_model(water, 1.0), k_vec(0, 0, 2.5),
+                    k_vec(12, 0, -5));
+  PASS_ULPS(c.x, 8 / 32.5, 16, "a sheet of air under water reflects"
+            " all of a flat ray");
   unsigned bent = 0;
   for (unsigned i = 0; i < 2000; i++)
     {

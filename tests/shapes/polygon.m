@@ -3,6 +3,7 @@
 // "bounded planes".
 
 #import "support.h"
+#include "kernel/k_polygon_hit.h"
 #include "test.h"
 
 struct outline
@@ -184,6 +185,8 @@ known(void)
        " round the vertices");
   hit = support_hit(model, k_vec(1, 1, -4), k_vec(0, 0, 1));
   PASS(hit.t == 4 && support_same(hit.N, k_vec(0, 0, 1)), "from behind");
+  PASS(support_same(p->plane.q, k_vec(0, 0, 0)), "its plane goes through the"
+       " first vertex");
   PASS([p isConvex] && p->count == 4, "a square is convex, of 4 corners");
   PASS([p medium] == nil && p->solid == nil, "a polygon by itself is thin");
   model = model_of(&outlines[3], &flat, POLYGON_CROSSINGS);
@@ -208,6 +211,35 @@ known(void)
       PASS([p isConvex] == outlines[k].is_convex, "%s is%s convex",
            outlines[k].name, outlines[k].is_convex ? "" : " not");
     }
+}
+
+/** Which of the three tests a polygon uses: crossings looks along the ray and
+    needs no point, the notes' two look at the point itself. */
+static void
+chosen(void)
+{
+  const enum polygon_test tests[] = { POLYGON_CROSSINGS, POLYGON_EDGES,
+                                      POLYGON_ANGLES };
+
+  for (int i = 0; i < 3; i++)
+    {
+      model_t *model = model_of(&outlines[1], &flat, tests[i]);
+      polygon_t *p = (polygon_t *)support_object(model, "p");
+      ray_t *ray = support_ray(model, k_vec(1, 1, 4), k_vec(0.1, 0, -1));
+      double t = support_hit(model, k_vec(1, 1, 4), k_vec(0.1, 0, -1)).t;
+      PASS([p holds: ray at: t], "test %d: the point is inside", i);
+      PASS([p holds: ray at: 10 * t] == (i == 0), "test %d: it looks at the"
+           " %s", i, i == 0 ? "ray" : "point");
+    }
+  // The sum of the angles against the sides: only one of them can do this.
+  const double x[6] = { 0, 2, 2, 1, 1, 0 }, y[6] = { 0, 0, 1, 1, 2, 2 };
+  const double z[6] = { 0 };
+  const double *const l[3] = { x, y, z };
+  struct k_vec N = { 0, 0, 1 };
+  PASS(k_polygon_angles(k_vec(0.5, 1.5, 0), N, 6, l)
+       && !k_polygon_angles(k_vec(1.5, 1.5, 0), N, 6, l),
+       "angles of an L");
+  PASS(!k_polygon_edges(k_vec(0.5, 1.5, 0), N, 6, l), "edges cannot do an L");
 }
 
 /** Convex with corners on its sides, tilted and rounded: still convex. */
@@ -413,6 +445,7 @@ main(void)
   NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
 
   known();
+  chosen();
   rounded_convex();
   even_odd(POLYGON_CROSSINGS, "crossings");
   even_odd(POLYGON_ANGLES, "angles");

@@ -276,10 +276,10 @@ test_N03(void)
                            .square_falloff = i / 4 };
       image_t *one = view_picture(view, 1);
       // Emissivities go with the square of the size under falloff 2 and have
-      // to stay in the range of a file; the other lengths until 2^390.
-      static const int exponents[] = { -390, -350, -300, -250, -200, -150,
+      // to stay in the range of a file; the other lengths go on to 2^394.
+      static const int exponents[] = { -394, -350, -300, -250, -200, -150,
                                        -100, -50, -1, 1, 50, 100, 150, 200,
-                                       250, 300, 350, 390 };
+                                       250, 300, 350, 394 };
       for (unsigned j = 0; j < sizeof exponents / sizeof *exponents; j++)
         {
           int k = exponents[j];
