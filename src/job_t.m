@@ -5,8 +5,10 @@
 #import "diag_t.h"
 #import "errors.h"
 #import "exr_t.h"
+#import "fast_t.h"
 #import "machine.h"
 #import "model_t.h"
+#import "notes_t.h"
 #import "outfile_t.h"
 #import "parser_t.h"
 #import "png_t.h"
@@ -139,6 +141,28 @@
   return YES;
 }
 
+- (unsigned) threads
+{
+  const struct settings *settings = &options->settings;
+
+  return settings->threads ? (unsigned)settings->threads : machine_cores();
+}
+
+/** The engine that is asked for, with the model in it (not autoreleased). */
+- (id <engine_t>) newEngine: (NSError **)error
+{
+  const struct settings *settings = &options->settings;
+
+  if (settings->engine == ENGINE_NOTES)
+    {
+      return [[notes_t alloc] initWithModel: model];
+    }
+  NSString *names[] = { nil, @"avx2", @"base" };
+  return [[fast_t alloc] initWithModel: model
+                          instructions: names[settings->isa]
+                               threads: [self threads] error: error];
+}
+
 - (BOOL) wantsBar
 {
   const struct settings *settings = &options->settings;
@@ -152,8 +176,7 @@
 {
   const struct settings *settings = &options->settings;
   struct render_options how = {
-    .threads = settings->threads ? (unsigned)settings->threads
-                                 : machine_cores(),
+    .threads = [self threads],
     .seed = settings->seed,
     .samples = (unsigned)settings->samples,
     .sampler = (enum sampler)settings->sampler
@@ -173,7 +196,13 @@
     {
       return NO;
     }
-  render_t *render = [[render_t alloc] init: model into: image options: how];
+  id <engine_t> engine = [self newEngine: error];
+  if (engine == nil)
+    {
+      return NO;
+    }
+  render_t *render = [[render_t alloc] init: engine camera: model->camera
+                                       into: image options: how];
   [stats ended: PHASE_BUILD];
   progress_t *bar = nil;
   if ([self wantsBar])
@@ -185,6 +214,7 @@
   [bar release];
   stats->counters = render->counters;
   [render release];
+  [engine release];
   nanCount = [image makeFinite];
   [stats ended: PHASE_TRACE];
   return YES;

@@ -45,6 +45,10 @@ enum polygon_test
 /** For complete: rays ask `whole` in place of `parts` from now on. */
 - (void) replace: (NSArray *)parts by: (object_t *)whole;
 
+/** What find_closest: asks: the objects, clear solids in place of their
+    polygons. */
+- (NSArray *) surfaces;
+
 /** Lets every object in the ray's way tell the ray where it is met; the
     ray's hit is then the closest one. For a shadow feeler only opaque objects
     count, and the first one found is enough. */

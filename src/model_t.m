@@ -154,6 +154,11 @@ struct surface
   [surfaces setArray: kept];
 }
 
+- (NSArray *) surfaces
+{
+  return surfaces;
+}
+
 // Rays
 
 - (void) find_closest: (ray_t *)ray

@@ -55,8 +55,13 @@ const struct option option_table[] = {
     .help = "how to tell that a point is in a polygon: crossings, edges"
             " (convex polygons only) or angles" },
   { .name = "engine", .value = "WORD", .kind = OPTION_WORD,
-    .offset = AT(engine), .words = "notes",
-    .help = "who traces: notes, the objects of the notes" },
+    .offset = AT(engine), .words = "fast notes",
+    .help = "who traces: fast, the kernel, or notes, the objects of the"
+            " notes; the picture is the same" },
+  { .name = "isa", .value = "WORD", .kind = OPTION_WORD,
+    .offset = AT(isa), .words = "best avx2 base",
+    .help = "the processor's instructions that the fast engine uses; the"
+            " picture does not depend on it" },
   { .letter = 'j', .name = "threads", .value = "N", .kind = OPTION_WHOLE,
     .offset = AT(threads), .count = 1, .most = 1024,
     .help = "threads that trace, 0 for one per core; the picture does not"

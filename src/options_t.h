@@ -25,6 +25,19 @@ enum stats
   STATS_JSON
 };
 
+enum engine
+{
+  ENGINE_FAST,
+  ENGINE_NOTES
+};
+
+enum isa
+{
+  ISA_BEST,
+  ISA_AVX2,
+  ISA_BASE
+};
+
 #define NO_CROP UINT64_MAX
 
 /** What the options say. Numbers are 64 bits, so that one reader serves all;
@@ -36,7 +49,7 @@ struct settings
   uint64_t crop[4];             // x0 y0 x1 y1; x0 NO_CROP: not given
   uint64_t aovs;                // sum of enum aov
   uint64_t seed, samples, sampler, exposure;    // exposure 0: the model's
-  uint64_t max_depth, polygon_test, engine;
+  uint64_t max_depth, polygon_test, engine, isa;
   uint64_t threads;             // 0: all cores
   NSMutableArray *includes;     // folders, in the order given
   uint64_t check, format_scene;

@@ -1,5 +1,6 @@
 #import "plane_t.h"
 #import "block_t.h"
+#import "compiler_t.h"
 #import "ray_t.h"
 
 @implementation plane_t
@@ -61,6 +62,12 @@
       [ray meets: self at: t normal: plane.n
            point: k_plane_point(&plane, o, d, t)];
     }
+}
+
+- (BOOL) compile: (compiler_t *)compiler
+{
+  k_add_plane(compiler->scene, [compiler surfaceOf: self], plane);
+  return YES;
 }
 
 @end

@@ -1,5 +1,6 @@
 #import "polygon_t.h"
 #import "block_t.h"
+#import "compiler_t.h"
 #import "diag_t.h"
 #import "ray_t.h"
 #import "solid_t.h"
@@ -242,6 +243,15 @@
       [ray meets: self at: t normal: plane.n
            point: k_plane_point(&plane, o, d, t)];
     }
+}
+
+- (BOOL) compile: (compiler_t *)compiler
+{
+  const double *const v[3] = { vertex[0], vertex[1], vertex[2] };
+  struct k_surface s = [compiler surfaceOf: self];
+
+  k_add_polygon(compiler->scene, s, plane, newell, count, v, test, s.medium);
+  return YES;
 }
 
 + (void) complete: (NSArray *)instances

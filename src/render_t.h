@@ -3,10 +3,9 @@
 // nor the tiles nor the crop change a bit of it.
 
 #import <Foundation/Foundation.h>
-#import "image_t.h"
-#include "counters.h"
+#import "engine_t.h"
 
-@class model_t;
+@class camera_t;
 
 enum sampler
 {
@@ -25,22 +24,21 @@ struct render_options
 @interface render_t : NSObject
 {
 @public
-  model_t *model;
+  id <engine_t> engine;
+  camera_t *camera;
   image_t *image;
   struct render_options options;
   struct counters counters;     // of all threads, after run
-  volatile int *stop;           // may be set by a signal handler; or NULL
 @protected
   unsigned tile_count, tiles_across;
   unsigned next_tile, tiles_done;       // atomic
 }
 
-- (id) init: (model_t *)model into: (image_t *)image
-    options: (struct render_options)options;
+- (id) init: (id <engine_t>)engine camera: (camera_t *)camera
+       into: (image_t *)image options: (struct render_options)options;
 
-/** Computes all pixels of the image's window. NO if *stop was set before it
-    was done. */
-- (BOOL) run;
+/** Computes all pixels of the image's window. */
+- (void) run;
 
 /** How much is done, 0 to 1; for a progress bar on another thread. */
 - (double) done;

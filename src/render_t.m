@@ -1,7 +1,5 @@
 #import "render_t.h"
 #import "camera_t.h"
-#import "model_t.h"
-#import "ray_t.h"
 #include "sampler.h"
 
 // Pixels of one side of a tile: large enough that taking the next one costs
@@ -10,12 +8,13 @@
 
 @implementation render_t
 
-- (id) init: (model_t *)aModel into: (image_t *)anImage
-    options: (struct render_options)someOptions
+- (id) init: (id <engine_t>)anEngine camera: (camera_t *)aCamera
+       into: (image_t *)anImage options: (struct render_options)someOptions
 {
   if ((self = [super init]))
     {
-      model = [aModel retain];
+      engine = [anEngine retain];
+      camera = [aCamera retain];
       image = [anImage retain];
       options = someOptions;
       tiles_across = ([image width] + TILE - 1) / TILE;
@@ -27,26 +26,9 @@
 - (void) dealloc
 {
   [image release];
-  [model release];
+  [camera release];
+  [engine release];
   [super dealloc];
-}
-
-/** An eye ray, traced. */
-- (struct k_vec) colorAt: (struct k_vec)o : (struct k_vec)d
-                counters: (struct counters *)count
-{
-  vec_t *pos = [[vec_t alloc] initWithValue: o];
-  vec_t *dir = [[vec_t alloc] initWithValue: d];
-  ray_t *ray = [(ray_t *)[ray_t alloc] init: pos : dir];
-
-  count->eye++;
-  ray->counters = count;
-  ray->media = [[model mediaOf: ray] retain];
-  struct k_vec color = [ray trace: model]->v;
-  [ray release];
-  [dir release];
-  [pos release];
-  return color;
 }
 
 /** The place of sample s in the pixel. */
@@ -76,7 +58,6 @@
 - (struct k_vec) colorOf: (struct sample)sample
                 counters: (struct counters *)count
 {
-  camera_t *camera = model->camera;
   struct k_vec sum = k_vec(0, 0, 0);
   uint64_t ray_number = 0;
 
@@ -86,7 +67,6 @@
       for (unsigned e = 0; e < camera->exposure; e++, ray_number++)
         {
           struct k_vec o, d;
-          NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
           if (camera->has_lens)
             {
               sample.u = 2 * sampler_random(options.seed, sample.column,
@@ -97,33 +77,10 @@
                                             DIMENSION_LENS_V) - 1;
             }
           [camera ray: sample pos: &o dir: &d];
-          sum = k_add(sum, [self colorAt: o : d counters: count]);
-          [pool release];
+          sum = k_add(sum, [engine colorAt: o : d counters: count]);
         }
     }
   return k_div(sum, ray_number);
-}
-
-/** What the ray through the middle of the pixel and of the lens hits. */
-- (struct surface_pixel) surfaceOf: (struct sample)sample
-{
-  struct surface_pixel surface = { HUGE_VAL, { 0, 0, 0 }, 0 };
-  NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
-  struct k_vec o, d;
-
-  [model->camera centralRay: sample pos: &o dir: &d];
-  ray_t *ray = [(ray_t *)[ray_t alloc] init: [vec_t vec: o] : [vec_t vec: d]];
-  ray->media = [[model mediaOf: ray] retain];
-  [model find_closest: ray];
-  if (ray->hit.object)
-    {
-      surface.depth = ray->hit.t;
-      surface.N = ray->hit.N;
-      surface.object = ray->hit.object->number;
-    }
-  [ray release];
-  [pool release];
-  return surface;
 }
 
 - (void) pixel: (unsigned)x : (unsigned)y counters: (struct counters *)count
@@ -132,7 +89,10 @@
 
   if (image->surfaces)
     {
-      *[image surfaceAt: x : y] = [self surfaceOf: sample];
+      // Through the middle of the pixel and of the lens.
+      struct k_vec o, d;
+      [camera centralRay: sample pos: &o dir: &d];
+      *[image surfaceAt: x : y] = [engine surfaceAt: o : d];
     }
   [image pixelAt: x : y]->color = [self colorOf: sample counters: count];
 }
@@ -146,10 +106,6 @@
     {
       for (unsigned x = x0; x < x0 + TILE && x < image->window.x1; x++)
         {
-          if (stop && *stop)
-            {
-              return;
-            }
           [self pixel: x : y counters: count];
         }
     }
@@ -175,7 +131,7 @@
   [pool release];
 }
 
-- (BOOL) run
+- (void) run
 {
   NSConditionLock *alive = [[NSConditionLock alloc]
                              initWithCondition: options.threads];
@@ -190,7 +146,6 @@
   [alive lockWhenCondition: 0];
   [alive unlock];
   [alive release];
-  return !(stop && *stop);
 }
 
 - (double) done

@@ -1,4 +1,5 @@
 #import "solid_t.h"
+#import "compiler_t.h"
 #import "diag_t.h"
 #import "material_t.h"
 #import "polygon_t.h"
@@ -266,6 +267,30 @@
     {
       [self search: ray isInside: is_inside];
     }
+}
+
+- (BOOL) compile: (compiler_t *)compiler
+{
+  NSUInteger count = [faces count], i = 0;
+
+  if (!is_convex)
+    {
+      for (polygon_t *face in faces)
+        {
+          [face compile: compiler];
+        }
+      return YES;
+    }
+  struct k_surface surfaces[count];
+  struct k_plane planes[count];
+  for (polygon_t *face in faces)
+    {
+      surfaces[i] = [compiler surfaceOf: face];
+      planes[i++] = face->plane;
+    }
+  k_add_convex(compiler->scene, count, surfaces, planes, box,
+               [compiler mediumOf: self]);
+  return YES;
 }
 
 + (void) joinFaces: (NSArray *)polygons

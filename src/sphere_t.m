@@ -1,5 +1,6 @@
 #import "sphere_t.h"
 #import "block_t.h"
+#import "compiler_t.h"
 #import "ray_t.h"
 #include "kernel/k_sphere_hit.h"
 
@@ -81,6 +82,12 @@
       struct k_vec N = k_sphere_normal(p, s, +1, ray->dir->v);
       [ray meets: self at: t1 normal: N point: k_along(center, radius, N)];
     }
+}
+
+- (BOOL) compile: (compiler_t *)compiler
+{
+  k_add_sphere(compiler->scene, [compiler surfaceOf: self], center, radius);
+  return YES;
 }
 
 @end

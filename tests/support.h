@@ -12,8 +12,10 @@
 #import "image_t.h"
 #import "light_t.h"
 #import "material_t.h"
+#import "fast_t.h"
 #import "media_t.h"
 #import "model_t.h"
+#import "notes_t.h"
 #import "object_t.h"
 #import "parser_t.h"
 #import "plane_t.h"
@@ -23,6 +25,7 @@
 #import "solid_t.h"
 #import "sphere_t.h"
 #include "shade.h"
+#include "test.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -229,21 +232,62 @@ support_render_options(void)
   return options;
 }
 
-/** A part of the model's picture, with surfaces. */
+/** A part of the model's picture, with surfaces, by an engine. */
 static inline image_t *
-support_window(model_t *model, struct render_options options,
-               struct window window)
+support_render(model_t *model, id <engine_t> engine,
+               struct render_options options, struct window window)
 {
   camera_t *camera = model->camera;
   image_t *image = [[[image_t alloc] init: camera->columns : camera->rows
                                    window: window
                                  surfaces: YES
                                     error: NULL] autorelease];
-  render_t *render = [[render_t alloc] init: model into: image
-                                    options: options];
+  render_t *render = [[render_t alloc] init: engine camera: camera
+                                       into: image options: options];
 
   [render run];
   [render release];
+  return image;
+}
+
+/** The fast engine with the model in it (autoreleased). */
+static inline id <engine_t>
+support_fast(model_t *model, NSString *instructions)
+{
+  return [[[fast_t alloc] initWithModel: model instructions: instructions
+                                threads: 2 error: NULL] autorelease];
+}
+
+/** In how many pixels two pictures with surfaces differ by a bit. */
+static inline size_t
+support_pixels_apart(image_t *a, image_t *b)
+{
+  size_t count = (size_t)[a width] * [a height], apart = 0;
+
+  for (size_t i = 0; i < count; i++)
+    {
+      const struct surface_pixel *p = &a->surfaces[i], *q = &b->surfaces[i];
+      apart += memcmp(&a->pixels[i].color, &b->pixels[i].color,
+                      sizeof(struct k_vec)) != 0
+        || memcmp(&p->depth, &q->depth, sizeof p->depth) != 0
+        || memcmp(&p->N, &q->N, sizeof p->N) != 0
+        || p->object != q->object;
+    }
+  return apart;
+}
+
+/** A part of the model's picture, with surfaces: by the notes engine, and
+    the fast one has to agree. */
+static inline image_t *
+support_window(model_t *model, struct render_options options,
+               struct window window)
+{
+  id <engine_t> notes = [[[notes_t alloc] initWithModel: model] autorelease];
+  image_t *image = support_render(model, notes, options, window);
+  image_t *fast = support_render(model, support_fast(model, nil), options,
+                                 window);
+
+  PASS(support_pixels_apart(image, fast) == 0, "both engines: the same bits");
   return image;
 }
 

@@ -88,7 +88,8 @@ wrong "option '--sampler' takes one of random, grid, not 'gird'; \
 did you mean 'grid'?" --sampler gird
 wrong "option '--sampler' takes one of random, grid, not 'sobol'" \
   --sampler sobol
-wrong "option '--engine' takes one of notes, not 'fast'" --engine fast
+wrong "option '--engine' takes one of fast, notes, not 'slow'" --engine slow
+wrong "option '--isa' takes one of best, avx2, base, not 'sse9'" --isa sse9
 wrong "option '--polygon-test' takes one of crossings, edges, angles, not \
 'edge'; did you mean 'edges'?" --polygon-test edge
 wrong "option '--progress' takes one of auto, bar, none, not 'on'" \
@@ -143,6 +144,9 @@ right --aov depth pin.mdl
 right --aov object,depth,normal pin.mdl
 right --aov depth,depth pin.mdl
 right --engine notes pin.mdl
+right --engine fast pin.mdl
+right --isa base pin.mdl
+right --isa best pin.mdl
 right --polygon-test crossings pin.mdl
 right --polygon-test edges pin.mdl
 right --polygon-test angles pin.mdl

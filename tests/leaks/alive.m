@@ -70,8 +70,9 @@ per_ray(struct scene how, const char *what)
                                         : model->camera->rows
                                   window: all surfaces: YES error: NULL];
   struct render_options options = support_render_options();
-  render_t *render = [[render_t alloc] init: model into: image
-                                    options: options];
+  id <engine_t> notes = [[[notes_t alloc] initWithModel: model] autorelease];
+  render_t *render = [[render_t alloc] init: notes camera: model->camera
+                                       into: image options: options];
   NSAutoreleasePool *inner = [[NSAutoreleasePool alloc] init];
 
   count = alive();

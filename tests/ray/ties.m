@@ -179,6 +179,24 @@ on_plane(void)
   PASS(second == 0, "one declared after it is not: %u", second);
 }
 
+/** What shares a plane keeps its own side of it. */
+static void
+own_side(void)
+{
+  model_t *model = support_model
+    ("%s polygon up { material m vertex -1 -1 0 vertex 1 -1 0 vertex 1 1 0"
+     " vertex -1 1 0 }\n"
+     "polygon down { material m vertex 0 0 0 vertex 0 3 0 vertex 3 3 0"
+     " vertex 3 0 0 }\n"
+     "plane below { material g normal 0 0 -2 point 7 7 0 }\n", materials);
+  struct k_vec way = { 0, 0, -1 };
+
+  PASS(support_hit(model, k_vec(.5, .5, 1), way).N.z == 1, "the first");
+  PASS(support_hit(model, k_vec(2, 2, 1), way).N.z == -1, "the second");
+  struct hit hit = support_hit(model, k_vec(5, 5, 1), way);
+  PASS(hit.N.z == -1 && hit.object->number == 3, "the plane");
+}
+
 /** Flat objects that are merely near each other are not made one. */
 static void
 not_quite(void)
@@ -211,6 +229,7 @@ main(void)
   coplanar(1000, "1000 away");
   coplanar(1e6, "1e6 away");
   on_plane();
+  own_side();
   not_quite();
   [pool release];
   return test_done();

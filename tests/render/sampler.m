@@ -110,7 +110,9 @@ render(const char *lens, struct render_options options)
   struct window pixel = { 2, 1, 3, 2 };
   image_t *image = [[[image_t alloc] init: 5 : 4 window: pixel surfaces: NO
                                     error: NULL] autorelease];
-  render_t *r = [[render_t alloc] init: model into: image options: options];
+  id <engine_t> notes = [[[notes_t alloc] initWithModel: model] autorelease];
+  render_t *r = [[render_t alloc] init: notes camera: model->camera
+                                  into: image options: options];
 
   noted = 0;
   [r run];

@@ -28,14 +28,16 @@ threads(struct scene how, struct render_options options, const char *what)
                                              : model->camera->rows
                                         window: all surfaces: YES
                                          error: NULL] autorelease];
-      render_t *render = [[render_t alloc] init: model into: image
-                                        options: options];
-      BOOL finished = [render run];
+      id <engine_t> notes = [[[notes_t alloc] initWithModel: model]
+                              autorelease];
+      render_t *render = [[render_t alloc] init: notes camera: model->camera
+                                           into: image options: options];
+      [render run];
       if (first == nil)
         {
           first = image;
           first_counters = render->counters;
-          PASS(finished && [render done] == 1, "%s: done", what);
+          PASS([render done] == 1, "%s: done", what);
           uint64_t rays = (uint64_t)all.x1 * all.y1 * options.samples
             * model->camera->exposure;
           PASS(first_counters.eye == rays, "%s: one eye ray for each pixel,"
@@ -106,64 +108,6 @@ rows(void)
        "and is black");
 }
 
-/** The mean of the samples, against each of them traced by itself. */
-static void
-means(void)
-{
-  struct scene how = { .columns = 7, .rows = 5 };
-  struct render_options options = support_render_options();
-  model_t *model = scene_model(how);
-  unsigned wrong = 0;
-
-  options.sampler = SAMPLER_GRID;
-  options.samples = 4;
-  image_t *image = support_picture(model, options);
-  for (unsigned y = 0; y < 5; y++)
-    {
-      for (unsigned x = 0; x < 7; x++)
-        {
-          struct k_vec sum = { 0, 0, 0 };
-          for (int k = 0; k < 4; k++)
-            {
-              struct sample s = { .column = x, .row = 4 - y,
-                                  .right = k % 2 ? 0.25 : -0.25,
-                                  .up = k / 2 ? 0.25 : -0.25 };
-              struct k_vec o, d;
-              [model->camera ray: s pos: &o dir: &d];
-              vec_t *pos = [vec_t vec: o], *dir = [vec_t vec: d];
-              ray_t *ray = [(ray_t *)[ray_t alloc] init: pos : dir];
-              ray->media = [[model mediaOf: ray] retain];
-              sum = k_add(sum, [ray trace: model]->v);
-              [ray release];
-            }
-          struct k_vec got = [image pixelAt: x : y]->color;
-          wrong += k_norm_max(k_sub(got, k_scale(sum, 0.25)))
-            > 8 * K_U * k_norm_max(sum);
-        }
-    }
-  PASS(wrong == 0, "a pixel is the mean of its samples: %u", wrong);
-}
-
-static void
-stopping(void)
-{
-  struct scene how = { .columns = 40, .rows = 40 };
-  model_t *model = scene_model(how);
-  struct window all = { 0, 0, 40, 40 };
-  image_t *image = [[[image_t alloc] init: 40 : 40 window: all surfaces: NO
-                                    error: NULL] autorelease];
-  struct render_options options = support_render_options();
-  volatile int stop = 1;
-  options.threads = 3;
-  render_t *render = [[render_t alloc] init: model into: image
-                                    options: options];
-
-  render->stop = &stop;
-  PASS(![render run], "a run that is stopped says NO");
-  PASS(render->counters.eye == 0, "and computes nothing more");
-  [render release];
-}
-
 /** No lights, no objects: background. */
 static void
 empty(void)
@@ -196,7 +140,6 @@ main(void)
   threads(lens, options, "two samples");
   crops(lens, options, "two samples");
   rows();
-  means();
   stopping();
   empty();
   [pool release];

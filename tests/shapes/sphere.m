@@ -190,6 +190,38 @@ inside_mirror(void)
   PASS(wrong == 0, "50 chords in a mirror ball are of one length: %u", wrong);
 }
 
+/** Flat on the inner side: the far end of the shortest chords is found too.
+    The start is not quite on the sphere, so a chord of length l is right to
+    a few u of the radius. */
+static void
+short_chords(void)
+{
+  model_t *model = support_model
+    (SUPPORT_CAMERA "material m { specular 1 1 1 }\n"
+     "sphere s { material m center 0 0 0 radius 1 }");
+  unsigned wrong = 0;
+
+  for (unsigned i = 0; i < 2000; i++)
+    {
+      struct support_random random = support_seed(i);
+      struct k_vec N = support_direction(&random);
+      struct k_vec along = k_unit(k_cross(N, support_direction(&random)));
+      double flat = exp2(support_between(&random, -45, 0));
+      // A ray that has come to the inner side from the middle.
+      ray_t *ray = support_ray(model, k_vec(0, 0, 0), N);
+      [model find_closest: ray];
+      vec_t *P = [vec_t vec: ray->hit.P];
+      vec_t *d = [vec_t vec: k_unit(k_along(along, -flat, ray->hit.N))];
+      ray_t *on = [(ray_t *)[ray_t alloc] init: P : d from: ray through: NO];
+      [model find_closest: on];
+      double chord = -2 * k_dot(P->v, d->v);
+      wrong += on->hit.object == nil || fabs(on->hit.t - chord) > 8 * K_U;
+      [on release];
+    }
+  PASS(wrong == 0, "from the inner side every ray finds the far side: %u",
+       wrong);
+}
+
 static void
 faults(void)
 {
@@ -217,6 +249,7 @@ main(void)
   random_rays();
   containment();
   inside_mirror();
+  short_chords();
   faults();
   [pool release];
   return test_done();

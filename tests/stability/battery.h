@@ -6,8 +6,8 @@
 #ifndef BATTERY_H
 #define BATTERY_H
 
-#include "support.h"
 #include "test.h"
+#include "support.h"
 
 #define U 0x1p-53               // unit roundoff
 #define NOTES 64
@@ -194,6 +194,7 @@ battery_spawn(ray_t *parent, struct k_vec dir, BOOL through)
                                        from: parent through: through];
   object_t *medium = [parent->hit.object medium];
 
+  ray->counters = &ray->own_counters;   // the parent may be gone before it
   if (through && medium)
     {
       BOOL goes_in = k_dot(parent->hit.N, parent->dir->v) < 0;

@@ -114,7 +114,7 @@ run_P04(struct run *run)
 {
   for (int e = 6; e <= 12; e += 3)
     {
-      for (unsigned i = 0; i < 300; i++)
+      for (unsigned i = 0; i < 300 / run->share; i++)
         {
           struct support_random random = support_seed(i);
           double offset = pow(10, e);
@@ -141,7 +141,7 @@ run_P04(struct run *run)
 static void
 test_P04(void)
 {
-  battery_run("P04 translated", run_P04);
+  battery_run_share("P04 translated", run_P04, 10, 1);
   PASS(p04_worst <= 1, "P04 t to 4u/cos at offsets 1e6, 1e9, 1e12"
        " (%.2f of it)", p04_worst);
 }

@@ -406,7 +406,7 @@ run_G06(struct run *run)
                                 { 0, 0, widths[w] } };
       struct k_vec v[MOST];
       unsigned wrong = 0;
-      for (unsigned i = 0; i < 200; i++)
+      for (unsigned i = 0; i < 200 / run->share; i++)
         {
           NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
           struct support_random random = support_seed(i);
@@ -445,7 +445,7 @@ test_G06(void)
 {
   static const double tolerance[] = { 2e-10, 2e-8, 2e-4 };
 
-  battery_run("G06 slivers", run_G06);
+  battery_run_share("G06 slivers", run_G06, 10, 1);
   for (unsigned w = 0; w < 3; w++)
     {
       PASS(sliver_normal[w] <= tolerance[w],
@@ -465,7 +465,7 @@ run_G07(struct run *run)
                                  { 0, 0, 0, 1, 1 } };
   struct k_vec v[MOST];
 
-  for (unsigned i = 0; i < 500; i++)
+  for (unsigned i = 0; i < 500 / run->share; i++)
     {
       struct support_random random = support_seed(i);
       struct frame frame = i ? random_frame(&random, 0) : flat;
@@ -703,7 +703,7 @@ main(void)
   battery_run_share("G04 two polygons", run_G04_objects, 10, 1);
   battery_run_share("G05 fan", run_G05, 10, 1);
   test_G06();
-  battery_run("G07 first three in a line", run_G07);
+  battery_run_share("G07 first three in a line", run_G07, 10, 1);
   PASS(g07_worst <= 4 * U, "G07 normal: off by %.2g u, at most 4 u",
        g07_worst / U);
   test_G08();

@@ -99,6 +99,29 @@ refraction(void)
   PASS(off == 0, "it is right to rounding over cos_t: %u", off);
 }
 
+/** Where n is almost 1 and the angle flat, cos_t is the root of two small
+    numbers that must not be got by subtraction: it is right to a few u of
+    itself. */
+static void
+almost_nothing(void)
+{
+  unsigned off = 0;
+
+  for (unsigned i = 0; i < 20000; i++)
+    {
+      struct support_random random = support_seed(i);
+      double n = 1 + exp2(support_between(&random, -40, -2));
+      double c = exp2(support_between(&random, -25, 0));
+      struct k_vec N = { 0, 0, 1 };
+      struct k_vec d = { sqrt((1 - c) * (1 + c)), 0, -c };
+      // The law with this c, not with the one that d's rounding makes.
+      quad n2k = ((quad)n - 1) * ((quad)n + 1) + (quad)c * c;
+      quad cos_t = q_sqrt(n2k) / n;
+      off += q_abs(-refract(d, N, n).z - cos_t) > 4 * (quad)K_U * cos_t;
+    }
+  PASS(off == 0, "cos_t for n near 1 and flat rays, to 4 u: %u", off);
+}
+
 static void
 special(void)
 {
@@ -229,6 +252,7 @@ main(void)
 
   reflection();
   refraction();
+  almost_nothing();
   special();
   round_trip();
   total_internal_reflection();

@@ -1,0 +1,32 @@
+// compiler_t.h - what a shape tells when it describes itself to the kernel:
+// its numbers, its material, what is behind it.
+
+#import "object_t.h"
+#include "kernel/k.h"
+
+@interface compiler_t : NSObject
+{
+@public
+  struct k_scene *scene;        // where shapes add themselves
+@protected
+  NSMapTable *materials, *media;        // numbers from 1, by object
+}
+
+- (id) initWithScene: (struct k_scene *)aScene;
+
+/** What the kernel has to know of a surface of the object. */
+- (struct k_surface) surfaceOf: (object_t *)object;
+
+/** The kernel's number for what [object medium] is; 0 for nil. */
+- (unsigned) mediumOf: (object_t *)object;
+
+@end
+
+/** A shape may describe itself to the kernel once; one that does not is asked
+    through its hits: as ever. */
+@interface object_t (Compiling)
+
+/** NO if it did not. */
+- (BOOL) compile: (compiler_t *)compiler;
+
+@end

@@ -1,0 +1,76 @@
+#import "compiler_t.h"
+#import "material_t.h"
+
+@implementation object_t (Compiling)
+
+- (BOOL) compile: (compiler_t *)compiler
+{
+  return NO;
+}
+
+@end
+
+@implementation compiler_t
+
+- (id) initWithScene: (struct k_scene *)aScene
+{
+  if ((self = [super init]))
+    {
+      scene = aScene;
+      materials = NSCreateMapTable(NSNonOwnedPointerMapKeyCallBacks,
+                                   NSIntegerMapValueCallBacks, 0);
+      media = NSCreateMapTable(NSNonOwnedPointerMapKeyCallBacks,
+                               NSIntegerMapValueCallBacks, 0);
+    }
+  return self;
+}
+
+- (void) dealloc
+{
+  NSFreeMapTable(materials);
+  NSFreeMapTable(media);
+  [super dealloc];
+}
+
+- (unsigned) materialOf: (object_t *)object
+{
+  material_t *m = object->material;
+  uintptr_t number = (uintptr_t)NSMapGet(materials, m);
+
+  if (number == 0)
+    {
+      struct k_material copy = { m->ambient, m->diffuse, m->specular,
+                                 m->shininess, m->alpha, m->ior };
+      number = k_add_material(scene, &copy) + 1;
+      NSMapInsert(materials, m, (void *)number);
+    }
+  return number - 1;
+}
+
+- (unsigned) mediumOf: (object_t *)object
+{
+  object_t *medium = [object medium];
+  uintptr_t number = medium ? (uintptr_t)NSMapGet(media, medium) : 0;
+
+  if (medium && number == 0)
+    {
+      number = k_add_medium(scene,
+                            !k_is_unbounded([(id <object_t>)medium bounds]));
+      NSMapInsert(media, medium, (void *)number);
+    }
+  return number;
+}
+
+- (struct k_surface) surfaceOf: (object_t *)object
+{
+  struct k_surface s = { object->number, [self materialOf: object], 0,
+                         object->slack };
+
+  if (object->material->alpha > 0)
+    {
+      s.medium = [self mediumOf: object];
+    }
+  return s;
+}
+
+@end

@@ -1,0 +1,222 @@
+#import "fast_t.h"
+#import "compiler_t.h"
+#import "errors.h"
+#import "light_t.h"
+#import "material_t.h"
+#import "media_t.h"
+#import "model_t.h"
+#import "ray_t.h"
+#include "kernel/k_ray.h"
+
+/** A shape that did not describe itself. */
+struct user
+{
+  object_t *object;
+  NSArray *objects;     // of the model, by number - 1
+};
+
+/** Asks it through a ray_t that is as far as the kernel's ray. */
+static void
+ask_object(void *shape, const struct k_surface *s, struct k_ray *ray)
+{
+  const struct user *user = shape;
+  vec_t *pos = [[vec_t alloc] initWithValue: ray->o];
+  vec_t *dir = [[vec_t alloc] initWithValue: ray->d];
+  ray_t *twin = [(ray_t *)[ray_t alloc] init: pos : dir];
+
+  if (ray->from)
+    {
+      twin->from = [user->objects objectAtIndex: ray->from->number - 1];
+    }
+  if (ray->hit.surface)
+    {
+      twin->hit.object = [user->objects objectAtIndex:
+                                          ray->hit.surface->number - 1];
+    }
+  twin->hit.t = ray->hit.t;
+  twin->starts_inside = ray->starts_inside;
+  twin->slack = ray->slack;
+  twin->is_feeler = ray->is_feeler;
+  twin->end = ray->end;
+  twin->end_slack = ray->end_slack;
+  [(id <object_t>)user->object hits: twin];
+  if (twin->hit.object == user->object)
+    {
+      ray->hit.t = twin->hit.t;
+      ray->hit.surface = s;
+      ray->hit.P = twin->hit.P;
+      ray->hit.N = twin->hit.N;
+      ray->hit.finish = K_FINISHED;
+    }
+  [twin release];
+  [dir release];
+  [pos release];
+}
+
+static BOOL
+holds(const struct k_bounds *box, struct k_vec p)
+{
+  return box->least.x <= p.x && p.x <= box->most.x
+    && box->least.y <= p.y && p.y <= box->most.y
+    && box->least.z <= p.z && p.z <= box->most.z;
+}
+
+@implementation fast_t
+
+- (void) addUser: (object_t *)object
+{
+  struct user *user = &users[user_count++];
+  struct k_user shape = { ask_object, user,
+                          [(id <object_t>)object bounds] };
+
+  user->object = object;
+  user->objects = model->objects;
+  k_add_user(scene, [compiler surfaceOf: object], shape);
+}
+
+- (id) initWithModel: (model_t *)aModel instructions: (NSString *)instructions
+            threads: (unsigned)threads
+               error: (NSError **)error
+{
+  if ((self = [super init]))
+    {
+      NSArray *surfaces = [aModel surfaces];
+      NSUInteger count = [surfaces count];
+
+      model = [aModel retain];
+      scene = k_scene_new();
+      users = calloc(count + 1, sizeof *users);
+      clear = calloc(count + 1, sizeof *clear);
+      if (scene && users && clear)
+        {
+          compiler = [[compiler_t alloc] initWithScene: scene];
+          for (object_t *object in surfaces)
+            {
+              if (![object compile: compiler])
+                {
+                  [self addUser: object];
+                }
+              if (object->material->alpha > 0 && [object medium] == object)
+                {
+                  clear[clear_count++] = [(id <object_t>)object bounds];
+                }
+            }
+          for (light_t *l in model->lights)
+            {
+              struct k_light light = { l->location, l->emissivity,
+                                       l->falloff };
+              k_add_light(scene, &light);
+            }
+          struct k_settings settings = { model->background, model->max_depth, threads,
+                                         [instructions UTF8String] };
+          switch (k_scene_finish(scene, settings))
+            {
+            case K_OK:
+              return self;
+            case K_NO_ISA:
+              *error = error_saying(STATUS_USAGE, @"this machine does not have"
+                                    @" the instructions '%@'", instructions);
+              [self release];
+              return nil;
+            case K_NO_MEMORY:
+              break;
+            }
+        }
+      *error = error_saying(STATUS_FILE, @"not enough memory for the scene");
+      [self release];
+      self = nil;
+    }
+  return self;
+}
+
+- (void) dealloc
+{
+  k_scene_free(scene);
+  free(users);
+  free(clear);
+  [compiler release];
+  [model release];
+  [super dealloc];
+}
+
+/** What an eye ray starts in, as the kernel has it, into `room`. */
+- (const struct k_media *) mediaOf: (media_t *)media
+                              into: (struct k_media *)room
+{
+  struct k_media *first = room;
+
+  for (; media; media = media->below, room++)
+    {
+      room->medium = [compiler mediumOf: media->object];
+      room->ior = media->ior;
+      room->below = media->below ? room + 1 : NULL;
+    }
+  return room == first ? NULL : first;
+}
+
+- (BOOL) mayStartInside: (struct k_vec)o
+{
+  for (unsigned i = 0; i < clear_count; i++)
+    {
+      if (holds(&clear[i], o))
+        {
+          return YES;
+        }
+    }
+  return NO;
+}
+
+/** The media an eye ray starts in; its objects are looked at only when it
+    starts in one of their boxes. */
+- (media_t *) startOf: (struct k_vec)o : (struct k_vec)d
+{
+  ray_t *ray = [(ray_t *)[ray_t alloc] init: [vec_t vec: o]
+                                           : [vec_t vec: d]];
+  media_t *media = [model mediaOf: ray];
+
+  [ray release];
+  return media;
+}
+
+static unsigned
+depth_of(media_t *media)
+{
+  unsigned depth = 0;
+
+  for (; media; media = media->below)
+    {
+      depth++;
+    }
+  return depth;
+}
+
+- (struct k_vec) colorAt: (struct k_vec)o : (struct k_vec)d
+                counters: (struct counters *)counters
+{
+  if (![self mayStartInside: o])
+    {
+      return k_trace(scene, o, d, NULL, counters);
+    }
+  NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
+  media_t *start = [self startOf: o : d];
+  struct k_media room[depth_of(start) + 1];
+  struct k_vec color = k_trace(scene, o, d,
+                               [self mediaOf: start into: room], counters);
+  [pool release];
+  return color;
+}
+
+- (struct surface_pixel) surfaceAt: (struct k_vec)o : (struct k_vec)d
+{
+  NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
+  media_t *start = [self mayStartInside: o] ? [self startOf: o : d] : nil;
+  struct k_media room[depth_of(start) + 1];
+  struct k_surface_hit hit = k_first_hit(scene, o, d,
+                                         [self mediaOf: start into: room]);
+  struct surface_pixel surface = { hit.t, hit.N, hit.number };
+
+  [pool release];
+  return surface;
+}
+
+@end

@@ -1,0 +1,124 @@
+// k.h - the only door of the kernel: a scene as plain C arrays, built once,
+// and rays traced in it without objects, messages or allocation. What a ray
+// does is what ray_t does, in the same arithmetic: both engines give the same
+// bytes. The kernel neither prints nor exits.
+
+#ifndef K_H
+#define K_H
+
+#include <stddef.h>
+#include <stdint.h>
+#include "../counters.h"
+#include "k_bounds.h"
+#include "k_plane_hit.h"
+
+struct k_scene;
+struct k_ray;
+
+enum k_status
+{
+  K_OK,
+  K_NO_MEMORY,
+  K_NO_ISA              // the machine does not have it
+};
+
+struct k_material
+{
+  struct k_vec ambient, diffuse, specular;
+  double shininess, alpha, ior;
+};
+
+struct k_light
+{
+  struct k_vec location, emissivity;
+  int falloff;
+};
+
+/** What every surface has, whatever its shape. */
+struct k_surface
+{
+  unsigned number;      // of the object, from 1: ties, and what is shown
+  unsigned material;    // from k_add_material
+  unsigned medium;      // what a ray is in behind it, from k_add_medium; 0
+                        // for a thin sheet
+  double slack;         // as in object_t
+};
+
+/** A shape that the kernel does not know is asked through this function; it
+    changes the ray's hit when it has a nearer one. */
+struct k_user
+{
+  void (*hits)(void *object, const struct k_surface *s, struct k_ray *ray);
+  void *object;
+  struct k_bounds box;
+};
+
+// Building. Every k_add_ copies what it is given; K_NO_MEMORY is remembered
+// and told by k_scene_finish.
+
+struct k_scene *k_scene_new(void);
+void k_scene_free(struct k_scene *scene);
+
+/** Something a ray can be in; bounded: it has to come out again. */
+unsigned k_add_medium(struct k_scene *scene, int is_bounded);
+unsigned k_add_material(struct k_scene *scene, const struct k_material *m);
+void k_add_light(struct k_scene *scene, const struct k_light *light);
+void k_add_sphere(struct k_scene *scene, struct k_surface s,
+                  struct k_vec center, double radius);
+void k_add_plane(struct k_scene *scene, struct k_surface s,
+                 struct k_plane plane);
+
+/** A polygon; test as in model_t's enum polygon_test; `solid` is the medium of
+    the clear solid it is a face of when that is not clipped, else 0. */
+void k_add_polygon(struct k_scene *scene, struct k_surface s,
+                   struct k_plane plane, struct k_vec newell, unsigned n,
+                   const double *const vertex[3], int test, unsigned solid);
+
+/** A clear convex solid of n faces. */
+void k_add_convex(struct k_scene *scene, unsigned n,
+                  const struct k_surface *s, const struct k_plane *plane,
+                  struct k_bounds box, unsigned medium);
+
+void k_add_user(struct k_scene *scene, struct k_surface s,
+                struct k_user user);
+
+struct k_settings
+{
+  struct k_vec background;
+  unsigned max_depth;
+  unsigned threads;     // that build the tree
+  const char *isa;      // instruction set; NULL: the best there is
+};
+
+/** Builds the tree. Nothing may be added afterwards. */
+enum k_status k_scene_finish(struct k_scene *scene,
+                             struct k_settings settings);
+
+// Tracing; any number of threads at once.
+
+/** One entry of the media a ray is in, and what is below it. */
+struct k_media
+{
+  unsigned medium;
+  double ior;
+  const struct k_media *below;
+};
+
+/** What an eye ray hits first. */
+struct k_surface_hit
+{
+  double t;
+  struct k_vec N;
+  unsigned number;      // 0: nothing
+};
+
+/** The colour that comes back along an eye ray from o along the unit d. */
+struct k_vec k_trace(const struct k_scene *scene, struct k_vec o,
+                     struct k_vec d, const struct k_media *media,
+                     struct counters *counters);
+
+struct k_surface_hit k_first_hit(const struct k_scene *scene, struct k_vec o,
+                                 struct k_vec d,
+                                 const struct k_media *media);
+
+#endif

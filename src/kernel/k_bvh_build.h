@@ -1,0 +1,25 @@
+// k_bvh_build.h - building the tree over boxes.
+
+#ifndef K_BVH_BUILD_H
+#define K_BVH_BUILD_H
+
+#include "k_scene.h"
+
+/** A shape and its box in the tree's coordinates, rounded outwards. 32 bytes,
+    so that the box loads as two vectors. */
+struct k_item
+{
+  float least[3];
+  struct k_ref ref;
+  float most[3];
+  uint32_t nothing;
+};
+
+_Static_assert(sizeof(struct k_item) == 32, "two vectors of four floats");
+
+/** Builds tree->nodes over `count` > 0 items, whose order changes: leaves
+    refer to places in it. The same tree for any number of threads. */
+enum k_status k_bvh_build(struct k_tree *tree, struct k_item *items,
+                          uint32_t count, unsigned threads);
+
+#endif

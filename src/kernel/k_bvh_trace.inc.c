@@ -1,0 +1,223 @@
+// k_bvh_trace.inc.c - the search through the tree, compiled once for each
+// instruction set by the k_bvh_trace_*.c, which name it.
+//
+// The boxes are tested in floats, which only decides what is asked; the shapes
+// are asked in doubles, which decides the picture. So the test must never say
+// no to a ray that hits: all boxes are taken larger by a margin that is more
+// than everything that is rounded on the way.
+
+#include "k_float.h"
+#include "k_leaf.h"
+#include "k_simd.h"
+
+#define STACK 512               // 7 for each level of a tree of depth 64, + 64
+
+// Farther from the scene than this, in units of its size, everything is asked.
+#define FAR 0x1p30
+
+// How much all boxes are grown, against all that is rounded in the test, for
+// an origin within the scene; more in proportion if it is farther off.
+#define PAD 0x1p-21
+
+// A reciprocal is never taken larger: so flat a ray leaves no box sideways.
+#define STEEP 0x1p60f
+
+struct k_float_ray
+{
+  f8 inverse[3];
+  f8 near_o[3], far_o[3];       // origin times inverse, with the pad
+  int near_side[3], far_side[3];
+};
+
+static inline void
+k_float_ray_start(struct k_float_ray *f, struct k_vec o,
+                  struct k_vec inverse_d)
+{
+  double pad = PAD * (1 + k_norm_max(o));
+
+  for (int axis = 0; axis < 3; axis++)
+    {
+      double x = k_component(o, axis);
+      double inverse = k_component(inverse_d, axis);
+      int falls = signbit(inverse) != 0;
+      double i = fabs(inverse) < STEEP ? inverse : falls ? -STEEP : STEEP;
+      double slack = pad * fabs(i);
+      f->near_side[axis] = falls ? axis + 3 : axis;
+      f->far_side[axis] = falls ? axis : axis + 3;
+      f->inverse[axis] = f8_all((float)i);
+      f->near_o[axis] = f8_all((float)(x * i + slack));
+      f->far_o[axis] = f8_all((float)(x * i - slack));
+    }
+}
+
+/** Which boxes of a node the ray may meet before t_most, bit by bit, and
+    where it goes in. */
+static inline unsigned
+k_node_test(const struct k_node *node, const struct k_float_ray *f,
+            float t_most, f8 *t_in)
+{
+  f8 in = f8_all(0), out = f8_all(t_most);
+
+  for (int axis = 0; axis < 3; axis++)
+    {
+      f8 near = f8_load(node->bounds[f->near_side[axis]]);
+      f8 far = f8_load(node->bounds[f->far_side[axis]]);
+      in = f8_max(f8_multiply_subtract(near, f->inverse[axis],
+                                       f->near_o[axis]), in);
+      out = f8_min(f8_multiply_subtract(far, f->inverse[axis],
+                                        f->far_o[axis]), out);
+    }
+  *t_in = in;
+  return f8_le(in, out);
+}
+
+struct entry
+{
+  uint32_t child;
+  float t;
+};
+
+static inline void
+k_leaf_ask(const struct k_scene *scene, struct k_ray *ray, uint32_t leaf)
+{
+  const struct k_ref *ref = &scene->tree.refs[(leaf & ~K_LEAF) >> 3];
+
+  for (unsigned n = (leaf & 7) + 1; n; n--, ref++)
+    {
+      ray->counters->tests++;
+      k_ref_ask(scene, *ref, ray);
+    }
+}
+
+static void
+k_ask_all(const struct k_scene *scene, struct k_ray *ray)
+{
+  for (uint32_t i = 0; i < scene->tree.ref_count; i++)
+    {
+      ray->counters->tests++;
+      k_ref_ask(scene, scene->tree.refs[i], ray);
+    }
+}
+
+static void
+k_tree_ask(const struct k_scene *scene, struct k_ray *ray)
+{
+  const struct k_tree *tree = &scene->tree;
+  struct k_float_ray f;
+  struct entry stack[STACK], *top = stack;
+  uint32_t at = 0;              // the root
+  float t_most = k_float_above(k_ray_reach(ray) * tree->scale);
+  struct k_vec o = k_scale(k_sub(ray->o, tree->center), tree->scale);
+
+  if (!(k_norm_max(o) < FAR))
+    {
+      k_ask_all(scene, ray);
+      return;
+    }
+  k_float_ray_start(&f, o, ray->inverse);
+  for (;;)
+    {
+      if (at & K_LEAF)
+        {
+          k_leaf_ask(scene, ray, at);
+          if (ray->is_feeler)
+            {
+              if (ray->hit.surface)
+                {
+                  return;
+                }
+            }
+          else
+            {
+              t_most = k_float_above(ray->hit.t * tree->scale);
+            }
+        }
+      else
+        {
+          const struct k_node *node = &tree->nodes[at];
+          f8 t_in;
+          unsigned hits = k_node_test(node, &f, t_most, &t_in);
+          if (hits)
+            {
+              float t[K_WIDTH];
+              unsigned i = __builtin_ctz(hits);
+              hits &= hits - 1;
+              if (hits == 0)
+                {
+                  at = node->child[i];
+                  continue;
+                }
+              if (ray->is_feeler)
+                {
+                  at = node->child[i];
+                  do
+                    {
+                      i = __builtin_ctz(hits);
+                      hits &= hits - 1;
+                      top->child = node->child[i];
+                      top++->t = 0;
+                    }
+                  while (hits);
+                  continue;
+                }
+              // Nearest first: insert the others into the stack by distance.
+              f8_store(t, t_in);
+              struct entry *bottom = top;
+              struct entry nearest = { node->child[i], t[i] };
+              do
+                {
+                  i = __builtin_ctz(hits);
+                  hits &= hits - 1;
+                  struct entry e = { node->child[i], t[i] };
+                  if (e.t < nearest.t)
+                    {
+                      struct entry swap = nearest;
+                      nearest = e;
+                      e = swap;
+                    }
+                  struct entry *p = top++;
+                  while (p > bottom && p[-1].t < e.t)
+                    {
+                      *p = p[-1];
+                      p--;
+                    }
+                  *p = e;
+                }
+              while (hits);
+              at = nearest.child;
+              continue;
+            }
+        }
+      do
+        {
+          if (top == stack)
+            {
+              return;
+            }
+          top--;
+        }
+      while (top->t > t_most);
+      at = top->child;
+    }
+}
+
+static void
+K_CLOSEST(const struct k_scene *scene, struct k_ray *ray)
+{
+  for (uint32_t i = 0; i < scene->plane_count; i++)
+    {
+      struct k_ref plane = { K_PLANE, i };
+      ray->counters->tests++;
+      k_ref_ask(scene, plane, ray);
+    }
+  for (uint32_t i = 0; i < scene->unbounded_count; i++)
+    {
+      struct k_ref user = { K_USER, scene->unbounded[i] };
+      ray->counters->tests++;
+      k_ref_ask(scene, user, ray);
+    }
+  if (scene->tree.nodes && !(ray->is_feeler && ray->hit.surface))
+    {
+      k_tree_ask(scene, ray);
+    }
+}

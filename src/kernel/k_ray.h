@@ -1,0 +1,148 @@
+// k_ray.h - a ray on its way through the scene, and the rules that say which
+// of the surfaces it meets counts: those of ray_t, for the kernel's shapes.
+
+#ifndef K_RAY_H
+#define K_RAY_H
+
+#include "k.h"
+#include "k_shear.h"
+
+/** How P and N of a hit are found when it has turned out to be the nearest. */
+enum k_finish
+{
+  K_FINISHED,           // they are there
+  K_FINISH_PLANE,       // P on the plane, N its normal
+  K_FINISH_SPHERE       // N along N as it stands, P from it
+};
+
+struct k_hit
+{
+  double t;
+  const struct k_surface *surface;      // NULL: nothing
+  struct k_vec P, N;
+  enum k_finish finish;
+  const struct k_plane *plane;          // K_FINISH_PLANE
+  struct k_vec center;                  // K_FINISH_SPHERE
+  double radius;
+};
+
+struct k_ray
+{
+  struct k_vec o, d, inverse;
+  struct k_shear shear;
+  const struct k_surface *from; // the surface it starts on, or NULL
+  int starts_inside;
+  double slack;
+  int is_feeler;
+  double end, end_slack;
+  const struct k_media *media;
+  struct k_hit hit;
+  struct counters *counters;
+};
+
+static inline void
+k_ray_start(struct k_ray *ray, struct k_vec o, struct k_vec d,
+            const struct k_media *media, struct counters *counters)
+{
+  ray->o = o;
+  ray->d = d;
+  ray->inverse = k_vec(1 / d.x, 1 / d.y, 1 / d.z);
+  ray->shear = k_shear(d);
+  ray->from = NULL;
+  ray->starts_inside = 0;
+  ray->slack = 0;
+  ray->is_feeler = 0;
+  ray->end = HUGE_VAL;
+  ray->end_slack = 0;
+  ray->media = media;
+  ray->hit.t = HUGE_VAL;
+  ray->hit.surface = NULL;
+  ray->counters = counters;
+}
+
+/** The farthest at which anything is of interest still. */
+static inline double
+k_ray_reach(const struct k_ray *ray)
+{
+  return ray->is_feeler ? ray->end : ray->hit.t;
+}
+
+/** -[ray_t wants:] */
+static inline int
+k_wants(const struct k_ray *ray, double t)
+{
+  return t > 0 && t <= ray->hit.t && t < ray->end;
+}
+
+/** Whether a surface met at t with N.d = n_dot_d passes through the place
+    where the ray starts. */
+static inline int
+k_is_start(const struct k_ray *ray, const struct k_surface *s, double t,
+           double n_dot_d)
+{
+  return ray->from && t * fabs(n_dot_d) <= ray->slack + s->slack;
+}
+
+/** Whether it is, for a feeler, as far as the light or farther. */
+static inline int
+k_is_end(const struct k_ray *ray, const struct k_surface *s, double t,
+         double n_dot_d)
+{
+  return ray->is_feeler
+    && !((ray->end - t) * fabs(n_dot_d) > ray->end_slack + s->slack);
+}
+
+/** Whether it is nearer than the hit so far; equal t: the lower number. */
+static inline int
+k_is_nearer(const struct k_ray *ray, const struct k_surface *s, double t)
+{
+  return t < ray->hit.t
+    || (t == ray->hit.t && s->number < ray->hit.surface->number);
+}
+
+/** -[ray_t exits:…] with everything known. */
+static inline int
+k_exits(struct k_ray *ray, const struct k_surface *s, double t,
+        struct k_vec N, struct k_vec P)
+{
+  if (k_is_end(ray, s, t, k_dot(N, ray->d)) || !k_is_nearer(ray, s, t))
+    {
+      return 0;
+    }
+  ray->hit.t = t;
+  ray->hit.surface = s;
+  ray->hit.N = N;
+  ray->hit.P = P;
+  ray->hit.finish = K_FINISHED;
+  return 1;
+}
+
+/** -[ray_t meets:…] with everything known. */
+static inline int
+k_meets(struct k_ray *ray, const struct k_surface *s, double t,
+        struct k_vec N, struct k_vec P)
+{
+  return t > 0 && !k_is_start(ray, s, t, k_dot(N, ray->d))
+    && k_exits(ray, s, t, N, P);
+}
+
+/** The same for something flat; the point waits. */
+static inline int
+k_meets_plane(struct k_ray *ray, const struct k_surface *s, double t,
+              const struct k_plane *plane)
+{
+  double n_dot_d = k_dot(plane->n, ray->d);
+
+  if (!(t > 0) || k_is_start(ray, s, t, n_dot_d)
+      || k_is_end(ray, s, t, n_dot_d) || !k_is_nearer(ray, s, t))
+    {
+      return 0;
+    }
+  ray->hit.t = t;
+  ray->hit.surface = s;
+  ray->hit.plane = plane;
+  ray->hit.finish = K_FINISH_PLANE;
+  return 1;
+}
+
+#endif

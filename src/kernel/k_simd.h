@@ -1,0 +1,285 @@
+// k_simd.h - eight floats at once, in the few operations that the tree needs.
+// On AVX2 one register, on other x86-64 two, elsewhere an array.
+// f8_max(a, acc) and f8_min(a, acc) give acc when a is not a number.
+
+#ifndef K_SIMD_H
+#define K_SIMD_H
+
+// Four floats, for building the tree.
+
+#include <stdint.h>
+
+#if defined(__SSE2__)
+
+#include <emmintrin.h>
+
+typedef __m128 f4;
+
+static inline f4 f4_load(const float *p) { return _mm_loadu_ps(p); }
+static inline void f4_store(float *p, f4 a) { _mm_storeu_ps(p, a); }
+static inline f4 f4_all(float x) { return _mm_set1_ps(x); }
+static inline f4 f4_add(f4 a, f4 b) { return _mm_add_ps(a, b); }
+static inline f4 f4_sub(f4 a, f4 b) { return _mm_sub_ps(a, b); }
+static inline f4 f4_mul(f4 a, f4 b) { return _mm_mul_ps(a, b); }
+static inline f4 f4_min(f4 a, f4 b) { return _mm_min_ps(a, b); }
+static inline f4 f4_max(f4 a, f4 b) { return _mm_max_ps(a, b); }
+
+/** Each towards zero. */
+static inline void
+f4_to_ints(int32_t *to, f4 a)
+{
+  _mm_storeu_si128((__m128i *)to, _mm_cvttps_epi32(a));
+}
+
+#else
+
+typedef struct { float x[4]; } f4;
+
+#define F4_EACH(e) \
+  f4 r; for (int i = 0; i < 4; i++) { r.x[i] = (e); } return r
+
+static inline f4 f4_load(const float *p) { F4_EACH(p[i]); }
+static inline f4 f4_all(float x) { F4_EACH(x); }
+static inline f4 f4_add(f4 a, f4 b) { F4_EACH(a.x[i] + b.x[i]); }
+static inline f4 f4_sub(f4 a, f4 b) { F4_EACH(a.x[i] - b.x[i]); }
+static inline f4 f4_mul(f4 a, f4 b) { F4_EACH(a.x[i] * b.x[i]); }
+static inline f4 f4_min(f4 a, f4 b) { F4_EACH(a.x[i] < b.x[i] ? a.x[i] : b.x[i]); }
+static inline f4 f4_max(f4 a, f4 b) { F4_EACH(a.x[i] > b.x[i] ? a.x[i] : b.x[i]); }
+
+static inline void
+f4_store(float *p, f4 a)
+{
+  for (int i = 0; i < 4; i++)
+    {
+      p[i] = a.x[i];
+    }
+}
+
+static inline void
+f4_to_ints(int32_t *to, f4 a)
+{
+  for (int i = 0; i < 4; i++)
+    {
+      to[i] = (int32_t)a.x[i];
+    }
+}
+
+#endif
+
+// Four doubles, for polygons: the same arithmetic as one, in each lane.
+
+#if defined(__AVX2__)
+
+#include <immintrin.h>
+
+typedef __m256d d4;
+
+static inline d4 d4_load(const double *p) { return _mm256_loadu_pd(p); }
+static inline d4 d4_all(double x) { return _mm256_set1_pd(x); }
+static inline d4 d4_sub(d4 a, d4 b) { return _mm256_sub_pd(a, b); }
+static inline d4 d4_mul(d4 a, d4 b) { return _mm256_mul_pd(a, b); }
+
+/** Bit i: a[i] >= b[i]; a[i] > b[i]. */
+static inline unsigned
+d4_ge(d4 a, d4 b)
+{
+  return _mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_GE_OQ));
+}
+
+static inline unsigned
+d4_gt(d4 a, d4 b)
+{
+  return _mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_GT_OQ));
+}
+
+#elif defined(__SSE2__)
+
+typedef struct { __m128d l, h; } d4;
+
+#define D4(l, h) ({ d4 r_ = { l, h }; r_; })
+
+static inline d4
+d4_load(const double *p)
+{
+  return D4(_mm_loadu_pd(p), _mm_loadu_pd(p + 2));
+}
+
+static inline d4
+d4_all(double x)
+{
+  return D4(_mm_set1_pd(x), _mm_set1_pd(x));
+}
+
+static inline d4
+d4_sub(d4 a, d4 b)
+{
+  return D4(_mm_sub_pd(a.l, b.l), _mm_sub_pd(a.h, b.h));
+}
+
+static inline d4
+d4_mul(d4 a, d4 b)
+{
+  return D4(_mm_mul_pd(a.l, b.l), _mm_mul_pd(a.h, b.h));
+}
+
+static inline unsigned
+d4_ge(d4 a, d4 b)
+{
+  return _mm_movemask_pd(_mm_cmpge_pd(a.l, b.l))
+    | _mm_movemask_pd(_mm_cmpge_pd(a.h, b.h)) << 2;
+}
+
+static inline unsigned
+d4_gt(d4 a, d4 b)
+{
+  return _mm_movemask_pd(_mm_cmpgt_pd(a.l, b.l))
+    | _mm_movemask_pd(_mm_cmpgt_pd(a.h, b.h)) << 2;
+}
+
+#else
+
+typedef struct { double x[4]; } d4;
+
+#define D4_EACH(e) \
+  d4 r; for (int i = 0; i < 4; i++) { r.x[i] = (e); } return r
+#define D4_MASK(e) \
+  unsigned m = 0; for (int i = 0; i < 4; i++) { m |= (unsigned)(e) << i; } \
+  return m
+
+static inline d4 d4_load(const double *p) { D4_EACH(p[i]); }
+static inline d4 d4_all(double x) { D4_EACH(x); }
+static inline d4 d4_sub(d4 a, d4 b) { D4_EACH(a.x[i] - b.x[i]); }
+static inline d4 d4_mul(d4 a, d4 b) { D4_EACH(a.x[i] * b.x[i]); }
+static inline unsigned d4_ge(d4 a, d4 b) { D4_MASK(a.x[i] >= b.x[i]); }
+static inline unsigned d4_gt(d4 a, d4 b) { D4_MASK(a.x[i] > b.x[i]); }
+
+#endif
+
+// Eight, for the search.
+
+#if defined(__AVX2__) && defined(__FMA__)
+
+typedef __m256 f8;
+
+static inline f8 f8_load(const float *p) { return _mm256_loadu_ps(p); }
+static inline void f8_store(float *p, f8 a) { _mm256_storeu_ps(p, a); }
+static inline f8 f8_all(float x) { return _mm256_set1_ps(x); }
+/** a b - c, rounded once or twice. */
+static inline f8
+f8_multiply_subtract(f8 a, f8 b, f8 c)
+{
+  return _mm256_fmsub_ps(a, b, c);
+}
+
+static inline f8 f8_max(f8 a, f8 acc) { return _mm256_max_ps(a, acc); }
+static inline f8 f8_min(f8 a, f8 acc) { return _mm256_min_ps(a, acc); }
+
+/** Bit i: a[i] <= b[i]. */
+static inline unsigned
+f8_le(f8 a, f8 b)
+{
+  return _mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LE_OQ));
+}
+
+#elif defined(__SSE2__)
+
+typedef struct { __m128 l, h; } f8;
+
+#define F8(l, h) ({ f8 r_ = { l, h }; r_; })
+
+static inline f8
+f8_load(const float *p)
+{
+  return F8(_mm_loadu_ps(p), _mm_loadu_ps(p + 4));
+}
+
+static inline void
+f8_store(float *p, f8 a)
+{
+  _mm_storeu_ps(p, a.l);
+  _mm_storeu_ps(p + 4, a.h);
+}
+
+static inline f8
+f8_all(float x)
+{
+  return F8(_mm_set1_ps(x), _mm_set1_ps(x));
+}
+
+static inline f8
+f8_multiply_subtract(f8 a, f8 b, f8 c)
+{
+  return F8(_mm_sub_ps(_mm_mul_ps(a.l, b.l), c.l),
+            _mm_sub_ps(_mm_mul_ps(a.h, b.h), c.h));
+}
+
+static inline f8
+f8_max(f8 a, f8 acc)
+{
+  return F8(_mm_max_ps(a.l, acc.l), _mm_max_ps(a.h, acc.h));
+}
+
+static inline f8
+f8_min(f8 a, f8 acc)
+{
+  return F8(_mm_min_ps(a.l, acc.l), _mm_min_ps(a.h, acc.h));
+}
+
+static inline unsigned
+f8_le(f8 a, f8 b)
+{
+  return _mm_movemask_ps(_mm_cmple_ps(a.l, b.l))
+    | _mm_movemask_ps(_mm_cmple_ps(a.h, b.h)) << 4;
+}
+
+#else
+
+typedef struct { float x[8]; } f8;
+
+#define F8_EACH(e) \
+  f8 r; for (int i = 0; i < 8; i++) { r.x[i] = (e); } return r
+
+static inline f8 f8_load(const float *p) { F8_EACH(p[i]); }
+static inline f8 f8_all(float x) { F8_EACH(x); }
+
+static inline f8
+f8_multiply_subtract(f8 a, f8 b, f8 c)
+{
+  F8_EACH(a.x[i] * b.x[i] - c.x[i]);
+}
+
+static inline f8
+f8_max(f8 a, f8 acc)
+{
+  F8_EACH(a.x[i] > acc.x[i] ? a.x[i] : acc.x[i]);
+}
+
+static inline f8
+f8_min(f8 a, f8 acc)
+{
+  F8_EACH(a.x[i] < acc.x[i] ? a.x[i] : acc.x[i]);
+}
+
+static inline void
+f8_store(float *p, f8 a)
+{
+  for (int i = 0; i < 8; i++)
+    {
+      p[i] = a.x[i];
+    }
+}
+
+static inline unsigned
+f8_le(f8 a, f8 b)
+{
+  unsigned mask = 0;
+
+  for (int i = 0; i < 8; i++)
+    {
+      mask |= (unsigned)(a.x[i] <= b.x[i]) << i;
+    }
+  return mask;
+}
+
+#endif
+#endif

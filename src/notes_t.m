@@ -1,0 +1,62 @@
+#import "notes_t.h"
+#import "model_t.h"
+#import "ray_t.h"
+
+@implementation notes_t
+
+- (id) initWithModel: (model_t *)aModel
+{
+  if ((self = [super init]))
+    {
+      model = [aModel retain];
+    }
+  return self;
+}
+
+- (void) dealloc
+{
+  [model release];
+  [super dealloc];
+}
+
+- (ray_t *) rayAt: (struct k_vec)o : (struct k_vec)d
+{
+  ray_t *ray = [(ray_t *)[ray_t alloc] init: [vec_t vec: o] : [vec_t vec: d]];
+
+  ray->media = [[model mediaOf: ray] retain];
+  return ray;
+}
+
+- (struct k_vec) colorAt: (struct k_vec)o : (struct k_vec)d
+                counters: (struct counters *)counters
+{
+  NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
+  ray_t *ray = [self rayAt: o : d];
+
+  counters->eye++;
+  ray->counters = counters;
+  struct k_vec color = [ray trace: model]->v;
+  [ray release];
+  [pool release];
+  return color;
+}
+
+- (struct surface_pixel) surfaceAt: (struct k_vec)o : (struct k_vec)d
+{
+  struct surface_pixel surface = { HUGE_VAL, { 0, 0, 0 }, 0 };
+  NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
+  ray_t *ray = [self rayAt: o : d];
+
+  [model find_closest: ray];
+  if (ray->hit.object)
+    {
+      surface.depth = ray->hit.t;
+      surface.N = ray->hit.N;
+      surface.object = ray->hit.object->number;
+    }
+  [ray release];
+  [pool release];
+  return surface;
+}
+
+@end
