@@ -53,8 +53,9 @@ show(unsigned c, NSMutableString *shown, NSMutableString *caret)
 NSString *
 excerpt(NSData *text, int line, int column)
 {
-  const char *end = (const char *)[text bytes] + [text length];
-  const char *start = line_start([text bytes], end, line);
+  const char *bytes = [text length] ? [text bytes] : "";
+  const char *end = bytes + [text length];
+  const char *start = line_start(bytes, end, line);
   const char *newline = memchr(start, '\n', end - start);
   NSMutableString *shown = [NSMutableString string];
   NSMutableString *caret = [NSMutableString string];

@@ -42,13 +42,16 @@ means(void)
   PASS(wrong == 0, "a pixel is the mean of its samples: %u", wrong);
 }
 
-/** With the eye in glass the picture starts in it, as single rays do. */
+/** With the eye in glass in water the picture starts in both, as single rays
+    do. */
 static void
 in_glass(void)
 {
   model_t *model = support_model
     ("background 1 2 3\n" SUPPORT_CAMERA
      "material glass { alpha 1 ior 1.5 }\n"
+     "material water { alpha 1 ior 1.25 }\n"
+     "sphere w { material water center 1.5 1 5 radius 4 }\n"
      "sphere s { material glass center 1.5 1 5 radius 1 }\n"
      "sphere t { material glass center 1 1 2 radius .5 }\n");
   image_t *image = support_picture(model, support_render_options());

@@ -115,6 +115,33 @@ random_rays(void)
   PASS(turned == 0, "the opposite normal is the same plane: %u", turned);
 }
 
+/** From far away the point is as near to the plane as where it lies allows,
+    not as where the eye is. */
+static void
+from_afar(void)
+{
+  struct k_vec n = k_unit(k_vec(3, -2, 7)), q = k_vec(0.5, 0.25, -0.125);
+  model_t *model = plane(n, q);
+  plane_t *p = (plane_t *)support_object(model, "p");
+  struct q_vec N = q_of(p->plane.n);
+  unsigned off = 0, hits = 0;
+
+  for (unsigned i = 0; i < 5000; i++)
+    {
+      struct support_random random = support_seed(i);
+      struct k_vec o = k_scale(support_direction(&random), 0x1p40);
+      struct hit hit = support_hit(model, o, k_sub(q, o));
+      if (hit.object && fabs(k_dot(n, o)) > 0x1p36)
+        {
+          quad side = q_dot(N, q_sub(q_of(hit.P), q_of(q)));
+          hits++;
+          off += q_abs(side) > 8 * K_U * (k_norm1(hit.P) + k_norm1(q));
+        }
+    }
+  PASS(hits > 4000 && off == 0, "seen from 2^40 away the point is on the"
+       " plane: %u of %u not", off, hits);
+}
+
 /** Rays that leave a plane never meet it, or another plane in its place. */
 static void
 leaving(void)
@@ -183,6 +210,7 @@ main(void)
   known();
   normals();
   random_rays();
+  from_afar();
   leaving();
   faults();
   [pool release];

@@ -125,6 +125,44 @@ random_rays(void)
        outside);
 }
 
+/** From just above or just below the surface: the near root is right to a few
+    u of itself, which o - c alone does not give. */
+static void
+near_surface(void)
+{
+  const struct k_vec c = { 1, 2, 3 };
+  const double r = 1000;
+  model_t *model = ball(c, r);
+  unsigned wrong = 0, N_off = 0;
+
+  for (unsigned i = 0; i < 20000; i++)
+    {
+      struct support_random random = support_seed(i);
+      double h = exp2(support_between(&random, -30, -2));
+      int is_inside = i % 2;
+      struct k_vec up = support_direction(&random);
+      struct k_vec o = k_along(c, is_inside ? r - h : r + h, up);
+      struct k_vec d = support_direction(&random);
+      double cosine = k_dot(d, up);
+      if (fabs(cosine) < 0.1)
+        {
+          continue;
+        }
+      d = (cosine > 0) == is_inside ? d : k_neg(d);
+      quad t0 = 0, t1 = 0;
+      roots(o, d, c, r, &t0, &t1);
+      quad t = is_inside ? t1 : t0;
+      struct hit hit = support_hit(model, o, d);
+      // d is unit to 3 u only; the roots here are of d as it is.
+      wrong += q_abs(hit.t - t) > 16 * (quad)K_U * t;
+      struct q_vec N = q_unit(q_sub(q_add(q_of(o), q_scale(q_of(d), t)),
+                                    q_of(c)));
+      N_off += q_apart(hit.N, N) > 16 * K_U;
+    }
+  PASS(wrong == 0, "from next to the surface: t to 16 u: %u", wrong);
+  PASS(N_off == 0, "and the normal: %u", N_off);
+}
+
 static void
 containment(void)
 {
@@ -247,6 +285,7 @@ main(void)
 
   known();
   random_rays();
+  near_surface();
   containment();
   inside_mirror();
   short_chords();
