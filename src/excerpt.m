@@ -87,5 +87,6 @@ excerpt(NSData *text, int line, int column)
     }
   NSString *number = [NSString stringWithFormat: @"%4d", line];
   return [NSString stringWithFormat: @"%@ |%s%@\n%*s | %@^\n", number,
-                   [shown length] ? " " : "", shown, (int)[number length], "", caret];
+                   [shown length] ? " " : "", shown, (int)[number length],
+                   "", caret];
 }

@@ -21,8 +21,9 @@ struct k_scene;
   unsigned clear_count;
 }
 
-/** `instructions` names an instruction set, NULL is the best there is. nil with an
-    error when memory is short or the machine does not have it. */
+/** `instructions` names an instruction set, nil is the best there is;
+    `threads` build the tree. nil with an error when memory is short or the
+    machine does not have the instructions. */
 - (id) initWithModel: (model_t *)aModel instructions: (NSString *)instructions
             threads: (unsigned)threads
                error: (NSError **)error;

@@ -107,8 +107,10 @@ holds(const struct k_bounds *box, struct k_vec p)
                                        l->falloff };
               k_add_light(scene, &light);
             }
-          struct k_settings settings = { model->background, model->max_depth, threads,
-                                         [instructions UTF8String] };
+          struct k_settings settings = {
+            model->background, model->max_depth, threads,
+            [instructions UTF8String]
+          };
           switch (k_scene_finish(scene, settings))
             {
             case K_OK:

@@ -80,12 +80,6 @@ struct block_state
 {
   FAULT(t.at, @"unknown attribute %@%@%@", [self quote: t], [self owner],
         [self advise: t among: attribute_names(kind.table)]);
-  if (state->last && state->last->kind == ATTRIBUTE_MATERIAL)
-    {
-      // It may be the material, and what was taken for that is not.
-      store->given_count--;
-      state->record->given_count--;
-    }
 
   NSAutoreleasePool *pool = [NSAutoreleasePool new];
   NSString *meant = [self nearestTo: t among: attribute_names(kind.table)];
@@ -100,8 +94,15 @@ struct block_state
     }
   else
     {
-      // With no values it may be one itself, without its attribute.
+      // Without values it may be one itself, and lack its attribute.
       state->values[values == 0 ? 1 : MIN(values, 4) % 4]++;
+      if (values == 0 && state->last
+          && state->last->kind == ATTRIBUTE_MATERIAL)
+        {
+          // It may be the material, and what was taken for that is not.
+          store->given_count--;
+          state->record->given_count--;
+        }
     }
   [pool drain];
 }

@@ -17,7 +17,8 @@
       *c *= k->number;
       if (number_range(*c) == NUMBER_TOO_LARGE)
         {
-          FAULT([self at: k], @"expected less: this times the colour is beyond 2^400");
+          FAULT([self at: k],
+                @"expected less: this times the colour is beyond 2^400");
           return NO;
         }
       *c = number_range(*c) == NUMBER_GOOD ? *c : 0;

@@ -61,7 +61,9 @@ shade_refract(struct k_vec D, struct k_vec N, double n, int *tir)
         }
       return shade_reflect(D, N);
     }
-  return k_div(k_along(along, -sqrt(n2k), N), n);
+  // A step too large to square leaves along N.
+  double nk = n < 0x1p500 ? sqrt(n2k) : n;
+  return k_div(k_along(along, -nk, N), n);
 }
 
 /** Takes the rounding out of a direction that was unit and has been

@@ -233,6 +233,18 @@ nff_read (struct nff *s, const char *path)
         = 1 / sqrt (s->lights);
 }
 
+void
+nff_free_shapes (struct nff *s)
+{
+  free (s->sphere);
+  free (s->sphereMaterial);
+  free (s->polygon);
+  free (s->corner);
+  s->sphere = s->corner = NULL;
+  s->sphereMaterial = NULL;
+  s->polygon = NULL;
+}
+
 static void
 cross (const double a[3], const double b[3], double to[3])
 {

@@ -47,6 +47,9 @@ struct nff
 /* Reads the file; ends the program with a message if it cannot. */
 void nff_read (struct nff *scene, const char *path);
 
+/* Gives back the memory of the shapes. */
+void nff_free_shapes (struct nff *scene);
+
 /* Finds the polygons of clear materials that close a volume, gives each
    volume a number and turns its polygons to face outward. */
 void nff_solids (struct nff *scene);

@@ -30,7 +30,7 @@ write_camera (const struct nff *s, int argc, char **argv)
       double focus = atof (argv[2]);
 
       printf ("  aperture %g blur_samples %d confidence 0.99 variance 0\n"
-              "  focal_point <%.12g,%.12g,%.12g>\n", 2 / atof (argv[3]),
+              "  focal_point <%.12g,%.12g,%.12g>\n", 4 / atof (argv[3]),
               atoi (argv[4]), s->from[0] + focus * ahead[0],
               s->from[1] + focus * ahead[1], s->from[2] + focus * ahead[2]);
     }

@@ -5,32 +5,20 @@
 // build separate subtrees, which are put together in a fixed order.
 
 #include "k_bvh_build.h"
-#include "k_simd.h"
+#include "k_bvh_cut.h"
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define BINS 16
 #define COST_OF_NODE 1.0f       // against asking one shape
+#define DEEP 40                 // from this level on lists are halved, which
+                                // ends within 32 more: K_DEEPEST
 #define TASK 4096               // shapes of a subtree that one thread builds
-
-/** A box in vectors: x y z and nothing. */
-struct box
-{
-  f4 least, most;
-};
-
-struct range
-{
-  uint32_t first, count;
-  struct box box;
-  struct box centers;           // of twice the middles: least + most
-};
 
 /** A subtree that is still to be built. */
 struct task
 {
-  struct range range;
+  struct k_range range;
   unsigned depth;
   uint32_t parent;              // node and slot of the tree it hangs on
   int slot;
@@ -49,207 +37,10 @@ struct builder
   uint32_t next_task;           // atomic
 };
 
-static inline struct box
-no_box(void)
-{
-  struct box b = { f4_all(HUGE_VALF), f4_all(-HUGE_VALF) };
-  return b;
-}
-
-static inline struct box
-box_of(const struct k_item *item)
-{
-  struct box b = { f4_load(item->least), f4_load(item->most) };
-  return b;
-}
-
-static inline struct box
-join(struct box a, struct box b)
-{
-  a.least = f4_min(a.least, b.least);
-  a.most = f4_max(a.most, b.most);
-  return a;
-}
-
-static inline float
-half_area(struct box b)
-{
-  float s[4];
-
-  f4_store(s, f4_sub(b.most, b.least));
-  return s[0] < 0 ? 0 : s[0] * s[1] + s[1] * s[2] + s[2] * s[0];
-}
-
-/** The range with one more item, wherever that stands. */
-static inline void
-include(struct range *r, const struct k_item *item)
-{
-  struct box b = box_of(item);
-  f4 c = f4_add(b.least, b.most);
-
-  r->box = join(r->box, b);
-  r->centers.least = f4_min(r->centers.least, c);
-  r->centers.most = f4_max(r->centers.most, c);
-}
-
-/** How the middles of a range fall into bins, on all three axes. */
-struct binning
-{
-  f4 origin, scale;
-  int bins;
-};
-
-static struct binning
-binning_of(const struct range *r)
-{
-  struct binning b;
-  float width[4], scale[4] = { 0 };
-
-  b.bins = r->count < 16 ? 8 : BINS;
-  b.origin = r->centers.least;
-  f4_store(width, f4_sub(r->centers.most, r->centers.least));
-  for (int axis = 0; axis < 3; axis++)
-    {
-      float s = 0.9999f * b.bins / width[axis];
-      scale[axis] = width[axis] > 0 && s < HUGE_VALF ? s : 0;
-    }
-  b.scale = f4_load(scale);
-  return b;
-}
-
-static inline void
-bins_of(const struct binning *b, const struct k_item *item, int32_t bins[4])
-{
-  f4 c = f4_add(f4_load(item->least), f4_load(item->most));
-
-  f4_to_ints(bins, f4_mul(f4_sub(c, b->origin), b->scale));
-}
-
-/** Where a range is best split: an axis and the first bin of the right part;
-    the cost of asking both parts. Axis -1: nowhere. */
-struct cut
-{
-  struct binning binning;
-  int axis, at;
-  float cost;
-};
-
-static void
-try_axis(struct cut *cut, int axis, const struct box *boxes,
-         const uint32_t *counts)
-{
-  float left_cost[BINS];
-  int bins = cut->binning.bins;
-  struct box sum = no_box();
-  uint32_t n = 0;
-
-  for (int i = 0; i < bins - 1; i++)
-    {
-      sum = join(sum, boxes[i]);
-      n += counts[i];
-      left_cost[i] = n ? half_area(sum) * n : HUGE_VALF;
-    }
-  sum = no_box();
-  n = 0;
-  for (int i = bins - 1; i > 0; i--)
-    {
-      sum = join(sum, boxes[i]);
-      n += counts[i];
-      float cost = left_cost[i - 1] + half_area(sum) * n;
-      if (n && cost < cut->cost)
-        {
-          cut->cost = cost;
-          cut->at = i;
-          cut->axis = axis;
-        }
-    }
-}
-
-static struct cut
-best_cut(const struct k_item *items, const struct range *r)
-{
-  struct cut cut = { binning_of(r), -1, 0, HUGE_VALF };
-  struct box boxes[3][BINS];
-  uint32_t counts[3][BINS];
-  float scale[4];
-
-  for (int axis = 0; axis < 3; axis++)
-    {
-      for (int i = 0; i < cut.binning.bins; i++)
-        {
-          boxes[axis][i] = no_box();
-          counts[axis][i] = 0;
-        }
-    }
-  for (uint32_t i = r->first; i < r->first + r->count; i++)
-    {
-      struct box b = box_of(&items[i]);
-      int32_t bin[4];
-      bins_of(&cut.binning, &items[i], bin);
-      for (int axis = 0; axis < 3; axis++)
-        {
-          boxes[axis][bin[axis]] = join(boxes[axis][bin[axis]], b);
-          counts[axis][bin[axis]]++;
-        }
-    }
-  f4_store(scale, cut.binning.scale);
-  for (int axis = 0; axis < 3; axis++)
-    {
-      if (scale[axis] > 0)
-        {
-          try_axis(&cut, axis, boxes[axis], counts[axis]);
-        }
-    }
-  return cut;
-}
-
-static struct range
-empty_range(uint32_t first)
-{
-  struct range r = { first, 0, no_box(), no_box() };
-  return r;
-}
-
-/** Splits a range in two; in the middle of the list when no cut parts it. */
-static void
-split(struct k_item *items, const struct range *whole, const struct cut *cut,
-      struct range *left, struct range *right)
-{
-  struct range a = empty_range(whole->first), b = a;
-  uint32_t low = whole->first, high = whole->first + whole->count;
-
-  while (low < high)
-    {
-      int32_t bin[4];
-      int goes_left = low - whole->first < whole->count / 2;
-      if (cut->axis >= 0)
-        {
-          bins_of(&cut->binning, &items[low], bin);
-          goes_left = bin[cut->axis] < cut->at;
-        }
-      if (goes_left)
-        {
-          include(&a, &items[low++]);
-        }
-      else
-        {
-          include(&b, &items[low]);
-          struct k_item swap = items[low];
-          items[low] = items[--high];
-          items[high] = swap;
-        }
-    }
-  a.count = low - a.first;
-  b.first = low;
-  b.count = whole->count - a.count;
-  *left = a;
-  *right = b;
-}
-
 struct child
 {
-  struct range range;
-  struct cut cut;
+  struct k_range range;
+  struct k_cut cut;
   int is_leaf;
   float area;
 };
@@ -257,15 +48,19 @@ struct child
 /** Looks for the best cut; leaves the range as it is when asking its shapes is
     cheaper than another node. */
 static void
-consider(const struct k_item *items, struct child *c)
+consider(const struct k_item *items, struct child *c, unsigned depth)
 {
-  const struct range *r = &c->range;
+  const struct k_range *r = &c->range;
 
-  c->area = half_area(r->box);
+  c->area = k_half_area(r->box);
   c->is_leaf = r->count == 1;
   if (!c->is_leaf)
     {
-      c->cut = best_cut(items, r);
+      c->cut = k_best_cut(items, r);
+      if (depth > DEEP)
+        {
+          c->cut.axis = -1;
+        }
       c->is_leaf = r->count <= K_LEAF_MOST
         && (c->cut.axis < 0
             || c->cut.cost + COST_OF_NODE * c->area >= r->count * c->area);
@@ -274,13 +69,13 @@ consider(const struct k_item *items, struct child *c)
 
 /** Splits a range into as many as eight, the largest first. */
 static int
-children_of(struct k_item *items, const struct range *r,
-            struct child *children)
+children_of(struct k_item *items, const struct k_range *r,
+            struct child *children, unsigned depth)
 {
   int count = 1;
 
   children[0].range = *r;
-  consider(items, &children[0]);
+  consider(items, &children[0], depth);
   while (count < K_WIDTH)
     {
       int widest = -1;
@@ -297,10 +92,10 @@ children_of(struct k_item *items, const struct range *r,
           break;
         }
       struct child parent = children[widest];
-      split(items, &parent.range, &parent.cut, &children[widest].range,
+      k_split(items, &parent.range, &parent.cut, &children[widest].range,
             &children[count].range);
-      consider(items, &children[widest]);
-      consider(items, &children[count]);
+      consider(items, &children[widest], depth);
+      consider(items, &children[count], depth);
       count++;
     }
   return count;
@@ -325,7 +120,7 @@ add_node(struct task *t, const struct child *children, int count)
   struct k_node *node = &t->nodes[t->node_count];
   for (int i = 0; i < K_WIDTH; i++)
     {
-      struct box box = i < count ? children[i].range.box : no_box();
+      struct k_box box = i < count ? children[i].range.box : k_no_box();
       float least[4], most[4];
       f4_store(least, box.least);
       f4_store(most, box.most);
@@ -340,7 +135,7 @@ add_node(struct task *t, const struct child *children, int count)
 }
 
 static void
-put_off(struct builder *b, const struct range *r, unsigned depth,
+put_off(struct builder *b, const struct k_range *r, unsigned depth,
         uint32_t parent, int slot)
 {
   if (b->task_count == b->task_room)
@@ -366,17 +161,17 @@ put_off(struct builder *b, const struct range *r, unsigned depth,
 /** Makes a node of a range and all below it; its index in the task. Above the
     tasks (t is b->top) the subtrees that are small enough are put off. */
 static uint32_t
-build(struct builder *b, struct task *t, const struct range *r,
+build(struct builder *b, struct task *t, const struct k_range *r,
       unsigned depth)
 {
   struct child children[K_WIDTH];
-  int count = children_of(b->items, r, children);
+  int count = children_of(b->items, r, children, depth);
   uint32_t index = add_node(t, children, count);
 
   t->deepest = depth > t->deepest ? depth : t->deepest;
   for (int i = 0; i < count && !t->is_short_of_memory; i++)
     {
-      const struct range *c = &children[i].range;
+      const struct k_range *c = &children[i].range;
       if (children[i].is_leaf)
         {
           t->nodes[index].child[i] = K_LEAF | c->first << 3 | (c->count - 1);
@@ -404,7 +199,7 @@ work(void *builder)
          < b->task_count)
     {
       struct task *t = &b->tasks[i];
-      struct range r = t->range;
+      struct k_range r = t->range;
       build(b, t, &r, t->depth);
     }
   return NULL;
@@ -479,12 +274,12 @@ k_bvh_build(struct k_tree *tree, struct k_item *items, uint32_t count,
             unsigned threads)
 {
   struct builder b = { .items = items };
-  struct range all = empty_range(0);
+  struct k_range all = k_empty_range(0);
   enum k_status status;
 
   for (uint32_t i = 0; i < count; i++)
     {
-      include(&all, &items[i]);
+      k_include(&all, &items[i]);
     }
   all.count = count;
   build(&b, &b.top, &all, 1);

@@ -10,7 +10,7 @@
 #include "k_leaf.h"
 #include "k_simd.h"
 
-#define STACK 512               // 7 for each level of a tree of depth 64, + 64
+#define STACK (7 * K_DEEPEST)   // each level leaves at most 7 for later
 
 // Farther from the scene than this, in units of its size, everything is asked.
 #define FAR 0x1p30
@@ -99,6 +99,58 @@ k_ask_all(const struct k_scene *scene, struct k_ray *ray)
     }
 }
 
+/** Puts all boxes that are hit on the stack but the nearest, the nearest of
+    them on top; that one is returned. */
+static inline uint32_t
+k_nearest_first(const struct k_node *node, unsigned hits, f8 t_in,
+                struct entry **top)
+{
+  float t[K_WIDTH];
+  unsigned i = __builtin_ctz(hits);
+  struct entry *bottom = *top;
+
+  if ((hits &= hits - 1) == 0)
+    {
+      return node->child[i];
+    }
+  f8_store(t, t_in);
+  struct entry nearest = { node->child[i], t[i] };
+  do
+    {
+      i = __builtin_ctz(hits);
+      struct entry e = { node->child[i], t[i] };
+      if (e.t < nearest.t)
+        {
+          struct entry swap = nearest;
+          nearest = e;
+          e = swap;
+        }
+      struct entry *p = (*top)++;
+      while (p > bottom && p[-1].t < e.t)
+        {
+          *p = p[-1];
+          p--;
+        }
+      *p = e;
+    }
+  while (hits &= hits - 1);
+  return nearest.child;
+}
+
+/** The same in no order, for feelers, who take whatever blocks them. */
+static inline uint32_t
+k_any_first(const struct k_node *node, unsigned hits, struct entry **top)
+{
+  unsigned i = __builtin_ctz(hits);
+
+  while (hits &= hits - 1)
+    {
+      (*top)->child = node->child[__builtin_ctz(hits)];
+      (*top)++->t = 0;
+    }
+  return node->child[i];
+}
+
 static void
 k_tree_ask(const struct k_scene *scene, struct k_ray *ray)
 {
@@ -117,87 +169,37 @@ k_tree_ask(const struct k_scene *scene, struct k_ray *ray)
   k_float_ray_start(&f, o, ray->inverse);
   for (;;)
     {
+      unsigned hits = 0;
       if (at & K_LEAF)
         {
           k_leaf_ask(scene, ray, at);
-          if (ray->is_feeler)
+          if (ray->is_feeler && ray->hit.surface)
             {
-              if (ray->hit.surface)
-                {
-                  return;
-                }
+              return;
             }
-          else
-            {
-              t_most = k_float_above(ray->hit.t * tree->scale);
-            }
+          t_most = k_float_above(k_ray_reach(ray) * tree->scale);
         }
       else
         {
           const struct k_node *node = &tree->nodes[at];
           f8 t_in;
-          unsigned hits = k_node_test(node, &f, t_most, &t_in);
+          hits = k_node_test(node, &f, t_most, &t_in);
           if (hits)
             {
-              float t[K_WIDTH];
-              unsigned i = __builtin_ctz(hits);
-              hits &= hits - 1;
-              if (hits == 0)
-                {
-                  at = node->child[i];
-                  continue;
-                }
-              if (ray->is_feeler)
-                {
-                  at = node->child[i];
-                  do
-                    {
-                      i = __builtin_ctz(hits);
-                      hits &= hits - 1;
-                      top->child = node->child[i];
-                      top++->t = 0;
-                    }
-                  while (hits);
-                  continue;
-                }
-              // Nearest first: insert the others into the stack by distance.
-              f8_store(t, t_in);
-              struct entry *bottom = top;
-              struct entry nearest = { node->child[i], t[i] };
-              do
-                {
-                  i = __builtin_ctz(hits);
-                  hits &= hits - 1;
-                  struct entry e = { node->child[i], t[i] };
-                  if (e.t < nearest.t)
-                    {
-                      struct entry swap = nearest;
-                      nearest = e;
-                      e = swap;
-                    }
-                  struct entry *p = top++;
-                  while (p > bottom && p[-1].t < e.t)
-                    {
-                      *p = p[-1];
-                      p--;
-                    }
-                  *p = e;
-                }
-              while (hits);
-              at = nearest.child;
-              continue;
+              at = ray->is_feeler ? k_any_first(node, hits, &top)
+                : k_nearest_first(node, hits, t_in, &top);
             }
         }
-      do
+      while (!hits)
         {
           if (top == stack)
             {
               return;
             }
           top--;
+          at = top->child;
+          hits = top->t <= t_most;
         }
-      while (top->t > t_most);
-      at = top->child;
     }
 }
 

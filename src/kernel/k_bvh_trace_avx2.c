@@ -1,5 +1,5 @@
-// The search through the tree for x86-64 with AVX2 and FMA; the flags are in the
-// GNUmakefile. Elsewhere there is nothing here.
+// The search through the tree for x86-64 with AVX2 and FMA; the flags are in
+// the GNUmakefile. Elsewhere there is nothing here.
 #if defined(__AVX2__) && defined(__FMA__)
 #define K_CLOSEST k_closest_avx2
 #include "k_bvh_trace.inc.c"

@@ -43,8 +43,18 @@ static inline f4 f4_all(float x) { F4_EACH(x); }
 static inline f4 f4_add(f4 a, f4 b) { F4_EACH(a.x[i] + b.x[i]); }
 static inline f4 f4_sub(f4 a, f4 b) { F4_EACH(a.x[i] - b.x[i]); }
 static inline f4 f4_mul(f4 a, f4 b) { F4_EACH(a.x[i] * b.x[i]); }
-static inline f4 f4_min(f4 a, f4 b) { F4_EACH(a.x[i] < b.x[i] ? a.x[i] : b.x[i]); }
-static inline f4 f4_max(f4 a, f4 b) { F4_EACH(a.x[i] > b.x[i] ? a.x[i] : b.x[i]); }
+
+static inline f4
+f4_min(f4 a, f4 b)
+{
+  F4_EACH(a.x[i] < b.x[i] ? a.x[i] : b.x[i]);
+}
+
+static inline f4
+f4_max(f4 a, f4 b)
+{
+  F4_EACH(a.x[i] > b.x[i] ? a.x[i] : b.x[i]);
+}
 
 static inline void
 f4_store(float *p, f4 a)

@@ -5,12 +5,12 @@
 
 cd "$TMP" || exit
 
-# refused FILE FIRST-LINE TEXT: exit status 3 within 20 s, and what the first
+# refused FILE FIRST-LINE TEXT: exit status 3 within 60 s, and what the first
 # line of the messages starts with.
 refused()
 {
   local status=0 first
-  timeout 20 "$RAYTRACE" --check "$1" >out 2>err || status=$?
+  timeout 60 "$RAYTRACE" --check "$1" >out 2>err || status=$?
   first=$(head -n 1 err)
   same "$status $(head -c ${#2} <<<"$first")" "3 $2" "$3"
   if [ "$(wc -l <err)" -gt 200 ] || [ "$(wc -c <err)" -gt 50000 ]; then
