@@ -7,6 +7,7 @@
    points, polygons are triangles; what is clear is masked out of feelers.
    The colours are those of docs/formulas.md with NFF's materials, which have
    no ambient light, and lights without falloff. Nothing is allocated per ray.
+   A ray past the depth is counted and black, as in the program's own counts.
    Prints seconds and rays as one JSON object, as --stats=json does. */
 
 #include <algorithm>
@@ -240,7 +241,7 @@ tracer::trace (vec origin, vec dir, int depth, const medium *media)
   vec reflected = {0, 0, 0}, refracted = {0, 0, 0};
   float share = 0;                      /* reflected, of what is clear */
 
-  if (m.clear > 0 && depth <= maxDepth)
+  if (m.clear > 0)
     {
       const uint32_t object = part.object[id];
       const float outside = media != nullptr ? media->ior : 1;
@@ -280,16 +281,18 @@ tracer::trace (vec origin, vec dir, int depth, const medium *media)
               share = r0 + (1 - r0) * x * x * x * x * x;
             }
         }
-      if (share < 1 && depth < maxDepth)
+      if (share < 1)
         {
           count.refraction++;
-          refracted = trace (point, onward, depth + 1, next);
+          if (depth < maxDepth)
+            refracted = trace (point, onward, depth + 1, next);
         }
     }
-  if ((m.isMirror || share > 0) && depth < maxDepth)
+  if (m.isMirror || share > 0)
     {
       count.reflection++;
-      reflected = trace (point, reflect (dir, facing), depth + 1, media);
+      if (depth < maxDepth)
+        reflected = trace (point, reflect (dir, facing), depth + 1, media);
     }
   if (m.isMirror)
     color = m.diffuse * color + m.specular * reflected;

@@ -10,8 +10,15 @@ struct counters
 {
   uint64_t eye, reflection, refraction, feeler; // rays by kind
   uint64_t tests;       // times an object was asked for its hits
+  uint64_t nodes;       // nodes of the tree that were looked at
   uint64_t escapes;     // rays that left a closed object through an edge
 };
+
+static inline uint64_t
+counters_rays(const struct counters *c)
+{
+  return c->eye + c->reflection + c->refraction + c->feeler;
+}
 
 static inline void
 counters_add(struct counters *sum, const struct counters *c)
@@ -21,6 +28,7 @@ counters_add(struct counters *sum, const struct counters *c)
   sum->refraction += c->refraction;
   sum->feeler += c->feeler;
   sum->tests += c->tests;
+  sum->nodes += c->nodes;
   sum->escapes += c->escapes;
 }
 

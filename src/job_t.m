@@ -201,6 +201,10 @@
     {
       return NO;
     }
+  if (settings->engine == ENGINE_FAST)
+    {
+      k_scene_facts(((fast_t *)engine)->scene, &stats->scene);
+    }
   render_t *render = [[render_t alloc] init: engine camera: model->camera
                                        into: image options: how];
   [stats ended: PHASE_BUILD];

@@ -3,11 +3,12 @@
 
 #import <Foundation/Foundation.h>
 #include "counters.h"
+#include "kernel/k.h"
 
 enum phase
 {
   PHASE_LOAD,           // reading the scene
-  PHASE_BUILD,          // getting ready: memory for the picture, the renderer
+  PHASE_BUILD,          // getting ready: the kernel's tree, the picture
   PHASE_TRACE,
   PHASE_WRITE,          // making the file's bytes and writing them
   PHASES
@@ -18,6 +19,7 @@ enum phase
 @public
   double seconds[PHASES];
   struct counters counters;
+  struct k_facts scene; // of the fast engine; isa NULL: there is none
 @protected
   double mark;          // when the last phase ended
 }
@@ -31,7 +33,9 @@ enum phase
 /** One line, a JSON object (autoreleased):
     {"seconds": {"load": …, "build": …, "trace": …, "write": …},
     "rays": {"eye": …, "reflection": …, "refraction": …, "feeler": …},
-    "tests": …, "escapes": …} */
+    "tests": …, "escapes": …, "rays_per_second": …}, and of the fast engine
+    "nodes": …, "nodes_per_ray": …, "tests_per_ray": …, "tree": {"nodes": …,
+    "depth": …, "cost": …, "bytes": …, "isa": "…"} */
 - (NSString *) json;
 
 @end

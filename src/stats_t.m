@@ -8,11 +8,11 @@ static const char *const phase_names[PHASES] = {
   "load", "build", "trace", "write"
 };
 
-/** Seconds to the microsecond, with a point whatever the locale. */
+/** Six digits behind the point, whatever the locale. */
 static NSString *
-text_of(double seconds)
+text_of(double number)
 {
-  unsigned long micro = lround(seconds * 1e6);
+  unsigned long micro = lround(number * 1e6);
 
   return [NSString stringWithFormat: @"%lu.%06lu", micro / 1000000,
                    micro % 1000000];
@@ -38,6 +38,21 @@ text_of(double seconds)
   mark = now;
 }
 
+/** 0 when nothing was traced. */
+- (double) perRay: (uint64_t)count
+{
+  uint64_t rays = counters_rays(&counters);
+
+  return rays ? (double)count / rays : 0;
+}
+
+- (double) raysPerSecond
+{
+  double t = seconds[PHASE_TRACE];
+
+  return t > 0 ? counters_rays(&counters) / t : 0;
+}
+
 - (NSString *) text
 {
   NSMutableString *text = [NSMutableString string];
@@ -54,6 +69,17 @@ text_of(double seconds)
   [text appendFormat: @"feeler     %16" PRIu64 " rays\n", c->feeler];
   [text appendFormat: @"tests      %16" PRIu64 "\n", c->tests];
   [text appendFormat: @"escapes    %16" PRIu64 "\n", c->escapes];
+  [text appendFormat: @"speed      %16.0f rays/s\n", [self raysPerSecond]];
+  if (scene.isa)
+    {
+      [text appendFormat: @"nodes      %16@ per ray\n",
+            text_of([self perRay: c->nodes])];
+      [text appendFormat: @"tests      %16@ per ray\n",
+            text_of([self perRay: c->tests])];
+      [text appendFormat: @"tree       %16u nodes, %u deep, cost %@\n",
+            scene.nodes, scene.depth, text_of(scene.cost)];
+      [text appendFormat: @"scene      %16zu bytes\n", scene.bytes];
+    }
   return text;
 }
 
@@ -70,9 +96,20 @@ text_of(double seconds)
   [json appendFormat: @"}, \"rays\": {\"eye\": %" PRIu64
         ", \"reflection\": %" PRIu64 ", \"refraction\": %" PRIu64
         ", \"feeler\": %" PRIu64 "}, \"tests\": %" PRIu64
-        ", \"escapes\": %" PRIu64 "}\n",
+        ", \"escapes\": %" PRIu64 ", \"rays_per_second\": %.0f",
         c->eye, c->reflection, c->refraction, c->feeler, c->tests,
-        c->escapes];
+        c->escapes, [self raysPerSecond]];
+  if (scene.isa)
+    {
+      [json appendFormat: @", \"nodes\": %" PRIu64 ", \"nodes_per_ray\": %@"
+            @", \"tests_per_ray\": %@, \"tree\": {\"nodes\": %u,"
+            @" \"depth\": %u, \"cost\": %@, \"bytes\": %zu,"
+            @" \"isa\": \"%s\"}", c->nodes,
+            text_of([self perRay: c->nodes]),
+            text_of([self perRay: c->tests]), scene.nodes, scene.depth,
+            text_of(scene.cost), scene.bytes, scene.isa];
+    }
+  [json appendString: @"}\n"];
   return json;
 }
 

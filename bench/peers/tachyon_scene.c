@@ -12,20 +12,24 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+/* Its pixels count from 1 on, from the window's left and bottom edge, and
+   its camera is left-handed: the window's left is on our right. */
 static void
 write_camera (const struct nff *s)
 {
   double right[3], up[3], ahead[3];
-  double half = tan (s->angle * acos (-1) / 360);
+  double high = tan (s->angle * acos (-1) / 360);
+  double wide = high * (s->columns - 1) / (s->rows - 1);
+  double step = 2 * high / (s->rows - 1);
 
   nff_window (s, right, up, ahead);
-  /* Its window is one row higher than from the first row to the last. */
-  printf ("CAMERA\n  ZOOM %.9g\n  ASPECTRATIO 1\n  ANTIALIASING 0\n"
+  printf ("CAMERA\n  ZOOM 1\n  ASPECTRATIO 1\n  ANTIALIASING 0\n"
           "  RAYDEPTH 6\n  CENTER %.9g %.9g %.9g\n  VIEWDIR %.9g %.9g %.9g\n"
-          "  UPDIR %.9g %.9g %.9g\nEND_CAMERA\n",
-          (s->rows - 1) / (2 * half * s->rows),
-          s->from[0], s->from[1], s->from[2], ahead[0], ahead[1], ahead[2],
-          up[0], up[1], up[2]);
+          "  UPDIR %.9g %.9g %.9g\n  FRUSTUM %.9g %.9g %.9g %.9g\n"
+          "END_CAMERA\n", s->from[0], s->from[1], s->from[2],
+          ahead[0], ahead[1], ahead[2], up[0], up[1], up[2],
+          wide + step, wide + step - s->columns * step,
+          -high - step, -high - step + s->rows * step);
 }
 
 static void

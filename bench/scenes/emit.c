@@ -4,15 +4,12 @@
 
 #include <math.h>
 
-/* Columns and rows of every picture. */
-enum { SIDE = 512 };
-
 /* Tachyon's reader of NFF knows one angle only: a window as high as it is
    far away, from the first row to one past the last. */
 static double
-angle (void)
+angle (int side)
 {
-  return 2 * atan (0.5 * (SIDE - 1) / SIDE) * 180 / acos (-1);
+  return 2 * atan (0.5 * (side - 1) / side) * 180 / acos (-1);
 }
 
 void
@@ -28,15 +25,15 @@ emit_view (struct emit *to, const struct emit_view *view)
              "up %g %g %g\nangle %.9g\nhither 0.01\nresolution %d %d\n",
              view->background.r, view->background.g, view->background.b,
              p->x, p->y, p->z, q->x, q->y, q->z, u->x, u->y, u->z,
-             angle (), SIDE, SIDE);
+             angle (to->side), to->side, to->side);
   if (to->format != EMIT_MDL)
     return;
   fprintf (to->out, "background %g %g %g\ncamera eye\n{\n"
            "  pixeldim %d %d\n  viewpoint %g %g %g\n  lookat %g %g %g\n"
            "  up %g %g %g\n  angle %.9g\n",
            view->background.r, view->background.g, view->background.b,
-           SIDE, SIDE, p->x, p->y, p->z, q->x, q->y, q->z,
-           u->x, u->y, u->z, angle ());
+           to->side, to->side, p->x, p->y, p->z, q->x, q->y, q->z,
+           u->x, u->y, u->z, angle (to->side));
   if (view->exposure > 0)
     fprintf (to->out, "  focus %g\n  fstop %g\n  exposure %d\n",
              view->focus, view->fstop, view->exposure);

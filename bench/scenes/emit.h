@@ -19,6 +19,7 @@ struct emit
 {
   FILE *out;
   enum emit_format format;
+  int side;                     /* columns, and rows */
   long lights, materials, shapes, solids;
   int inSolid;
 };
@@ -28,7 +29,7 @@ struct point
   double x, y, z;
 };
 
-/* A lens is none if exposure is 0. The angle is that of fov(). */
+/* A lens is none if exposure is 0. */
 struct emit_view
 {
   struct point from, at, up;

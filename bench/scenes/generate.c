@@ -1,6 +1,9 @@
 /* generate.c - writes a scene to standard output.
 
-   usage: generate SCENE SIZE nff|mdl|lens
+   usage: generate SCENE SIZE SIDE nff|mdl|lens
+
+   SIDE is the number of columns and of rows. lens prints the lens of a scene
+   that has one, for those who read NFF, which has none.
 
    The scenes are the classic ones of Haines, "A Proposal for Standard
    Graphics Environments" (IEEE CG&A 7:11, 1987), made from his descriptions,
@@ -40,14 +43,15 @@ main (int argc, char **argv)
   struct emit to = { .out = stdout };
   unsigned format = 0, i;
 
-  for (; argc == 4 && format < 3; format++)
-    if (strcmp (argv[3], formats[format]) == 0)
+  for (; argc == 5 && format < 3; format++)
+    if (strcmp (argv[4], formats[format]) == 0)
       break;
-  for (i = 0; argc == 4 && format < 3 && i < sizeof scenes / sizeof *scenes;
+  for (i = 0; argc == 5 && format < 3 && i < sizeof scenes / sizeof *scenes;
        i++)
     if (strcmp (argv[1], scenes[i].name) == 0)
       {
         to.format = format;
+        to.side = atoi (argv[3]);
         scenes[i].make (&to, atoi (argv[2]));
         return fclose (stdout) == 0 ? 0 : 4;
       }

@@ -94,6 +94,20 @@ struct k_settings
 enum k_status k_scene_finish(struct k_scene *scene,
                              struct k_settings settings);
 
+/** What a finished scene consists of. */
+struct k_facts
+{
+  uint32_t spheres, planes, polygons, convex, users, media;
+  uint32_t nodes, depth;        // of the tree
+  double cost;                  // what a ray through the scene's box expects
+                                // to ask: nodes and shapes, by their surfaces
+  size_t bytes;                 // of everything
+  const char *isa;              // instruction set in use
+  int has_mirrors, has_clear;   // materials that make rays
+};
+
+void k_scene_facts(const struct k_scene *scene, struct k_facts *facts);
+
 // Tracing; any number of threads at once.
 
 /** One entry of the media a ray is in, and what is below it. */

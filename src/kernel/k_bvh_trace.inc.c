@@ -183,6 +183,7 @@ k_tree_ask(const struct k_scene *scene, struct k_ray *ray)
         {
           const struct k_node *node = &tree->nodes[at];
           f8 t_in;
+          ray->counters->nodes++;
           hits = k_node_test(node, &f, t_most, &t_in);
           if (hits)
             {

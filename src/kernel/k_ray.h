@@ -40,14 +40,20 @@ struct k_ray
   struct counters *counters;
 };
 
+/** A ray from o along d that has hit nothing yet. Its shear is for polygons
+    and left out when there are none. */
 static inline void
 k_ray_start(struct k_ray *ray, struct k_vec o, struct k_vec d,
-            const struct k_media *media, struct counters *counters)
+            const struct k_media *media, struct counters *counters,
+            int needs_shear)
 {
   ray->o = o;
   ray->d = d;
   ray->inverse = k_vec(1 / d.x, 1 / d.y, 1 / d.z);
-  ray->shear = k_shear(d);
+  if (needs_shear)
+    {
+      ray->shear = k_shear(d);
+    }
   ray->from = NULL;
   ray->starts_inside = 0;
   ray->slack = 0;

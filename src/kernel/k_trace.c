@@ -121,12 +121,14 @@ static struct k_vec trace(const struct k_scene *scene, struct k_ray *ray,
 
 /** A ray from where `ray` has hit something. */
 static void
-spawn(struct k_ray *child, const struct k_ray *ray, struct k_vec d,
-      int through, const struct k_media *media)
+spawn(const struct k_scene *scene, struct k_ray *child,
+      const struct k_ray *ray, struct k_vec d, int through,
+      const struct k_media *media)
 {
   int came_from_inside = !(k_dot(ray->hit.N, ray->d) < 0);
 
-  k_ray_start(child, ray->hit.P, d, media, ray->counters);
+  k_ray_start(child, ray->hit.P, d, media, ray->counters,
+              scene->polygon_count > 0);
   child->from = ray->hit.surface;
   child->starts_inside = came_from_inside != through;
   child->slack = child->from->slack + 16 * K_U * k_norm1(child->o);
@@ -147,7 +149,7 @@ sees(const struct k_scene *scene, const struct k_ray *ray,
     {
       return 0;
     }
-  spawn(&feeler, ray, *L, 0, NULL);
+  spawn(scene, &feeler, ray, *L, 0, NULL);
   feeler.is_feeler = 1;
   feeler.end = r;
   feeler.end_slack = 16 * K_U * (k_norm1(feeler.o)
@@ -166,7 +168,8 @@ reflection(const struct k_scene *scene, const struct k_ray *ray,
   struct k_ray child;
 
   ray->counters->reflection++;
-  spawn(&child, ray, shade_renew(shade_reflect(ray->d, Ns)), 0, ray->media);
+  spawn(scene, &child, ray, shade_renew(shade_reflect(ray->d, Ns)), 0,
+        ray->media);
   return trace(scene, &child, dis, depth + 1);
 }
 
@@ -177,7 +180,7 @@ refraction(const struct k_scene *scene, const struct k_ray *ray, struct k_vec t,
   struct k_ray child;
 
   ray->counters->refraction++;
-  spawn(&child, ray, t, 1, inside);
+  spawn(scene, &child, ray, t, 1, inside);
   return trace(scene, &child, dis, depth + 1);
 }
 
@@ -302,7 +305,7 @@ k_trace(const struct k_scene *scene, struct k_vec o, struct k_vec d,
   struct k_ray ray;
 
   counters->eye++;
-  k_ray_start(&ray, o, d, media, counters);
+  k_ray_start(&ray, o, d, media, counters, scene->polygon_count > 0);
   return trace(scene, &ray, 0, 0);
 }
 
@@ -314,7 +317,7 @@ k_first_hit(const struct k_scene *scene, struct k_vec o, struct k_vec d,
   struct k_surface_hit first = { HUGE_VAL, { 0, 0, 0 }, 0 };
   struct k_ray ray;
 
-  k_ray_start(&ray, o, d, media, &nobody_counts);
+  k_ray_start(&ray, o, d, media, &nobody_counts, scene->polygon_count > 0);
   scene->isa->closest(scene, &ray);
   if (ray.hit.surface)
     {

@@ -29,26 +29,44 @@ test_stats(void)
       stats->seconds[i] = i + 0.25;
     }
   stats->seconds[PHASE_WRITE] = 12345.0000004;
-  stats->counters = (struct counters){ .eye = UINT64_MAX, .reflection = 2,
-                                       .refraction = 3, .feeler = 4,
-                                       .tests = 5, .escapes = 6 };
+  stats->counters = (struct counters){ .eye = UINT64_MAX - 100,
+                                       .reflection = 2, .refraction = 3,
+                                       .feeler = 4, .tests = 5,
+                                       .escapes = 6 };
   PASS([[stats json] isEqual:
          @"{\"seconds\": {\"load\": 0.250000, \"build\": 1.250000, \"trace\": "
          @"2.250000, \"write\": 12345.000000}, \"rays\": {\"eye\": "
-         @"18446744073709551615, \"reflection\": 2, \"refraction\": 3, "
-         @"\"feeler\": 4}, \"tests\": 5, \"escapes\": 6}\n"],
+         @"18446744073709551515, \"reflection\": 2, \"refraction\": 3, "
+         @"\"feeler\": 4}, \"tests\": 5, \"escapes\": 6, "
+         @"\"rays_per_second\": 8198552921648689152}\n"],
        "JSON");
   PASS([[stats text] isEqual:
          @"load               0.250000 s\n"
          @"build              1.250000 s\n"
          @"trace              2.250000 s\n"
          @"write          12345.000000 s\n"
-         @"eye        18446744073709551615 rays\n"
+         @"eye        18446744073709551515 rays\n"
          @"reflection                2 rays\n"
          @"refraction                3 rays\n"
          @"feeler                    4 rays\n"
          @"tests                     5\n"
-         @"escapes                   6\n"], "text");
+         @"escapes                   6\n"
+         @"speed      8198552921648689152 rays/s\n"], "text");
+
+  stats->counters = (struct counters){ .eye = 4, .tests = 6, .nodes = 10 };
+  stats->scene = (struct k_facts){ .nodes = 7, .depth = 3, .cost = 1.5,
+                                   .bytes = 4096, .isa = "base" };
+  PASS([[stats json] hasSuffix:
+         @", \"nodes\": 10, \"nodes_per_ray\": 2.500000, \"tests_per_ray\": "
+         @"1.500000, \"tree\": {\"nodes\": 7, \"depth\": 3, \"cost\": "
+         @"1.500000, \"bytes\": 4096, \"isa\": \"base\"}}\n"],
+       "JSON of the fast engine");
+  PASS([[stats text] hasSuffix:
+         @"nodes              2.500000 per ray\n"
+         @"tests              1.500000 per ray\n"
+         @"tree                      7 nodes, 3 deep, cost 1.500000\n"
+         @"scene                  4096 bytes\n"],
+       "text of the fast engine");
 }
 
 int
