@@ -17,7 +17,8 @@
   options_t *options;
   outfile_t *outfile;   // nil: nothing is to be written
   model_t *model;
-  NSString *canonical, *sceneHash;
+  NSString *text;  // what to write in place of a picture
+  NSString *sceneHash;
   image_t *image;
 }
 
@@ -33,10 +34,13 @@
 /** The scene in a few words (autoreleased). */
 - (NSString *) summary;
 
+/** With --plan: what the picture takes. */
+- (BOOL) plan: (NSError **)error;
+
 /** Computes the picture. */
 - (BOOL) trace: (NSError **)error;
 
-/** Writes the picture or, with --format-scene, the scene. */
+/** Writes the picture or, with --format-scene or --plan, that text. */
 - (BOOL) write: (NSError **)error;
 
 @end

@@ -11,6 +11,7 @@
 #import "notes_t.h"
 #import "outfile_t.h"
 #import "parser_t.h"
+#import "plan_t.h"
 #import "png_t.h"
 #import "ppm_t.h"
 #import "progress_t.h"
@@ -39,7 +40,7 @@
   [diag release];
   [outfile release];
   [model release];
-  [canonical release];
+  [text release];
   [sceneHash release];
   [image release];
   [super dealloc];
@@ -67,16 +68,16 @@
   NSArray *includes = [settings->includes
                         arrayByAddingObjectsFromArray: machine_models()];
   NSError *reason = nil;
-  NSData *text = nil;
+  NSData *bytes = nil;
 
   model = [[parser_t modelFromFile: options->scene
                        includePath: includes
                            options: how
                               diag: diag
-                              text: &text
-                         canonical: settings->format_scene ? &canonical : NULL
+                              text: &bytes
+                         canonical: settings->format_scene ? &text : NULL
                              error: &reason] retain];
-  [canonical retain];
+  [text retain];
   if (model == nil && error)
     {
       *error = reason
@@ -86,7 +87,7 @@
     }
   else if (model)
     {
-      sceneHash = [sha256_of(text) retain];
+      sceneHash = [sha256_of(bytes) retain];
     }
   [stats ended: PHASE_LOAD];
   return model != nil;
@@ -148,19 +149,20 @@
   return settings->threads ? (unsigned)settings->threads : machine_cores();
 }
 
+- (fast_t *) newFastEngine: (NSError **)error
+{
+  NSString *names[] = { nil, @"avx2", @"base" };
+
+  return [[fast_t alloc] initWithModel: model
+                          instructions: names[options->settings.isa]
+                               threads: [self threads] error: error];
+}
+
 /** The engine that is asked for, with the model in it (not autoreleased). */
 - (id <engine_t>) newEngine: (NSError **)error
 {
-  const struct settings *settings = &options->settings;
-
-  if (settings->engine == ENGINE_NOTES)
-    {
-      return [[notes_t alloc] initWithModel: model];
-    }
-  NSString *names[] = { nil, @"avx2", @"base" };
-  return [[fast_t alloc] initWithModel: model
-                          instructions: names[settings->isa]
-                               threads: [self threads] error: error];
+  return options->settings.engine == ENGINE_FAST ? [self newFastEngine: error]
+    : [[notes_t alloc] initWithModel: model];
 }
 
 - (BOOL) wantsBar
@@ -172,7 +174,7 @@
         && isatty(STDERR_FILENO));
 }
 
-- (BOOL) trace: (NSError **)error
+- (struct render_options) renderOptions
 {
   const struct settings *settings = &options->settings;
   struct render_options how = {
@@ -181,6 +183,32 @@
     .samples = (unsigned)settings->samples,
     .sampler = (enum sampler)settings->sampler
   };
+
+  return how;
+}
+
+- (BOOL) plan: (NSError **)error
+{
+  struct window window;
+
+  if (![self setCamera: &window error: error])
+    {
+      return NO;
+    }
+  fast_t *engine = [self newFastEngine: error];
+  if (engine == nil)
+    {
+      return NO;
+    }
+  text = [[plan_t of: model engine: engine window: window
+             options: [self renderOptions]] retain];
+  [engine release];
+  return YES;
+}
+
+- (BOOL) trace: (NSError **)error
+{
+  const struct settings *settings = &options->settings;
   struct window window;
 
   if (![self setCamera: &window error: error])
@@ -206,7 +234,8 @@
       k_scene_facts(((fast_t *)engine)->scene, &stats->scene);
     }
   render_t *render = [[render_t alloc] init: engine camera: model->camera
-                                       into: image options: how];
+                                       into: image
+                                    options: [self renderOptions]];
   [stats ended: PHASE_BUILD];
   progress_t *bar = nil;
   if ([self wantsBar])
@@ -244,8 +273,7 @@
 
 - (BOOL) write: (NSError **)error
 {
-  NSData *file = options->settings.format_scene
-    ? [canonical dataUsingEncoding: NSUTF8StringEncoding]
+  NSData *file = text ? [text dataUsingEncoding: NSUTF8StringEncoding]
     : options->format == FORMAT_EXR ? [self exr: error]
     : options->format == FORMAT_PNG ? [png_t fileOf: image error: error]
     : [ppm_t fileOf: image];

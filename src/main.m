@@ -7,6 +7,7 @@
 #import "job_t.h"
 #import "outfile_t.h"
 #include "arithmetic.h"
+#include "kernel/k.h"
 #include "version.h"
 #include <fcntl.h>
 #include <signal.h>
@@ -125,7 +126,9 @@ run(job_t *job, const struct settings *settings)
     {
       tell([job summary]);
     }
-  if (!settings->check && !settings->format_scene && ![job trace: &error])
+  BOOL isDone = settings->check || settings->format_scene
+    || (settings->plan ? [job plan: &error] : [job trace: &error]);
+  if (!isDone)
     {
       return fail(error);
     }
@@ -168,7 +171,9 @@ main(int argc, char **argv)
     }
   else if (options->settings.version)
     {
-      status = show(@"raytrace " RAYTRACE_VERSION "\n");
+      status = show([NSString stringWithFormat: @"raytrace %s\n"
+                              @"instructions of the fast engine: %s\n",
+                              RAYTRACE_VERSION, k_isa_best()]);
     }
   else
     {

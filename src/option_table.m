@@ -76,6 +76,9 @@ const struct option option_table[] = {
   { .name = "format-scene", .kind = OPTION_FLAG, .offset = AT(format_scene),
     .help = "write the scene in canonical form, to FILE or standard"
             " output" },
+  { .name = "plan", .kind = OPTION_FLAG, .offset = AT(plan),
+    .help = "trace nothing; write what the scene has, which work it does"
+            " without, and about how many rays it will be" },
 
   { .heading = "Messages, on standard error",
     .name = "stats", .value = "WORD", .kind = OPTION_WORD,

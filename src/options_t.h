@@ -52,7 +52,7 @@ struct settings
   uint64_t max_depth, polygon_test, engine, isa;
   uint64_t threads;             // 0: all cores
   NSMutableArray *includes;     // folders, in the order given
-  uint64_t check, format_scene;
+  uint64_t check, format_scene, plan;
   uint64_t stats, progress, quiet, verbose, help, version;
 };
 

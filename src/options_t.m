@@ -171,9 +171,10 @@ is_square(uint64_t n)
     {
       return @"no scene given; see 'raytrace --help'";
     }
-  if (settings.check && settings.format_scene)
+  if (settings.check + settings.format_scene + settings.plan > 1)
     {
-      return @"options '--check' and '--format-scene' exclude each other";
+      return @"options '--check', '--format-scene' and '--plan' exclude each"
+        @" other";
     }
   if (crop[0] != NO_CROP && (crop[0] >= crop[2] || crop[1] >= crop[3]))
     {
@@ -185,7 +186,7 @@ is_square(uint64_t n)
                        @"of samples (1, 4, 9, 16 ...), not %llu",
                        (unsigned long long)settings.samples];
     }
-  if (settings.check || settings.format_scene)
+  if (settings.check || settings.format_scene || settings.plan)
     {
       return nil;
     }

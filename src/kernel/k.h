@@ -53,6 +53,9 @@ struct k_user
   struct k_bounds box;
 };
 
+/** The name of the instruction set that this machine gets. */
+const char *k_isa_best(void);
+
 // Building. Every k_add_ copies what it is given; K_NO_MEMORY is remembered
 // and told by k_scene_finish.
 

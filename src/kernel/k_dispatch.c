@@ -20,3 +20,9 @@ k_isa_find(const char *name)
 #endif
   return name == NULL || !strcmp(name, "base") ? &k_isa_base : NULL;
 }
+
+const char *
+k_isa_best(void)
+{
+  return k_isa_find(NULL)->name;
+}

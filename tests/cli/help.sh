@@ -37,9 +37,12 @@ for status in 0 2 3 4 130; do
   pass "the man page tells exit status $status" grep -q "^.It $status$" "$page"
 done
 
-same "$("$RAYTRACE" --version)" \
+same "$("$RAYTRACE" --version | head -1)" \
   "raytrace $(sed -n 's/.*_VERSION "\(.*\)"/\1/p' "$ROOT/src/version.h")" \
   "--version"
+pass "which names the instructions" \
+  grep -qE '^instructions of the fast engine: (avx2|base)$' \
+  <("$RAYTRACE" --version)
 same "$("$RAYTRACE" --help --version nonsense.mdl)" "$(cat help.txt)" \
   "--help before anything else"
 

@@ -99,7 +99,7 @@ for bad in '' 'depth,' ,depth depth,objekt 'depth normal' all; do
   wrong "option '--aov' takes some of depth, normal, object, with commas \
 between, not '$bad'" --aov "$bad"
 done
-for flag in check format-scene quiet verbose help version; do
+for flag in check format-scene plan quiet verbose help version; do
   wrong "option '--$flag' takes no value, but got 'yes'" --$flag=yes
 done
 wrong "argument 2 is not UTF-8" pin.mdl $'\xff'
@@ -115,8 +115,12 @@ for bad in x.png x.ppm -; do
 done
 wrong "sampler grid takes a square number of samples (1, 4, 9, 16 ...), \
 not 8" pin.mdl --sampler grid --samples 8 -o x.exr
-wrong "options '--check' and '--format-scene' exclude each other" \
-  pin.mdl --check --format-scene
+for pair in '--check --format-scene' '--check --plan' \
+  '--format-scene --plan'; do
+  read -ra both <<<"$pair"
+  wrong "options '--check', '--format-scene' and '--plan' exclude each other" \
+    pin.mdl "${both[@]}"
+done
 wrong "option '--exposure' needs a camera with a lens: focus, fstop, exposure" \
   pin.mdl --exposure 4 -o x.exr
 same "$(ls)" "$(printf '%s\n' err.txt lens.mdl out.txt pin.mdl)" \

@@ -55,6 +55,24 @@ same "$?" 0 "canonical form stays as it is"
 "$RAYTRACE" canonical.mdl -o canonical.ppm
 pass "and gives the same picture" cmp good.ppm canonical.ppm
 
+# The plan: all that the scene has, and no picture.
+"$RAYTRACE" --plan good.mdl -j 3 --isa base >plan.txt 2>err.txt
+same "$? $(cat err.txt)" "0 " "--plan, to standard output"
+line()
+{
+  pass "the plan says: $1" grep -qxF -- "$1" plan.txt
+}
+line "picture   8 x 6 pixels, 48 traced, 1 rays through each"
+line "shapes    1 sphere"
+line "lights    0"
+line "media     0"
+line "tree      1 nodes, 1 deep"
+line "left out  shadow feelers (no light); mirror rays and highlights \
+(nothing specular); refraction and media (nothing transparent); the \
+polygons' view along each ray (no polygon); lens samples (pinhole)"
+line "rays      about 48: 48 eye, 0 reflection, 0 refraction, 0 feeler"
+line "threads   3, instructions base"
+
 # Where included files are looked for
 mkdir parts
 echo 'material paint { ambient 1 1 1 }' >parts/paint.inc

@@ -1,0 +1,129 @@
+#import "plan_t.h"
+#import "camera_t.h"
+#import "model_t.h"
+#include "kernel/k.h"
+#include <inttypes.h>
+
+#define STEP 16                 // one pixel in STEP x STEP is tried
+
+@implementation plan_t
+
+/** Traces a few pixels, without lens; how many of the window's there are for
+    each of them. */
++ (double) try: (struct window)w of: (camera_t *)camera
+        engine: (fast_t *)engine counters: (struct counters *)counters
+{
+  uint64_t pixels = (uint64_t)(w.x1 - w.x0) * (w.y1 - w.y0), tried = 0;
+
+  for (unsigned y = w.y0; y < w.y1; y += STEP)
+    {
+      for (unsigned x = w.x0; x < w.x1; x += STEP, tried++)
+        {
+          struct sample s = { .column = x, .row = camera->rows - 1 - y };
+          struct k_vec o, d;
+          [camera centralRay: s pos: &o dir: &d];
+          [engine colorAt: o : d counters: counters];
+        }
+    }
+  return (double)pixels / tried;
+}
+
+/** "3 spheres, 1 plane" (autoreleased). */
++ (NSString *) shapesOf: (const struct k_facts *)f
+{
+  const struct
+    {
+      uint32_t count;
+      NSString *one, *many;
+    }
+  kinds[] = {
+    { f->spheres, @"sphere", @"spheres" },
+    { f->planes, @"plane", @"planes" },
+    { f->polygons, @"polygon", @"polygons" },
+    { f->convex, @"clear convex solid", @"clear convex solids" },
+    { f->users, @"shape asked as an object", @"shapes asked as objects" }
+  };
+  NSMutableArray *words = [NSMutableArray array];
+
+  for (unsigned i = 0; i < sizeof kinds / sizeof *kinds; i++)
+    {
+      if (kinds[i].count)
+        {
+          [words addObject: [NSString stringWithFormat: @"%u %@",
+                                      kinds[i].count, kinds[i].count == 1
+                                      ? kinds[i].one : kinds[i].many]];
+        }
+    }
+  return [words count] ? [words componentsJoinedByString: @", "] : @"none";
+}
+
+/** What no ray of the scene needs (autoreleased). */
++ (NSString *) leftOut: (const struct k_facts *)f of: (model_t *)model
+{
+  NSMutableArray *words = [NSMutableArray array];
+
+  if ([model->lights count] == 0)
+    {
+      [words addObject: @"shadow feelers (no light)"];
+    }
+  if (!f->has_mirrors)
+    {
+      [words addObject: @"mirror rays and highlights (nothing specular)"];
+    }
+  if (!f->has_clear)
+    {
+      [words addObject: @"refraction and media (nothing transparent)"];
+    }
+  if (f->polygons == 0)
+    {
+      [words addObject: @"the polygons' view along each ray (no polygon)"];
+    }
+  if (f->nodes == 0)
+    {
+      [words addObject: @"the tree (no shape has a box)"];
+    }
+  if (!model->camera->has_lens)
+    {
+      [words addObject: @"lens samples (pinhole)"];
+    }
+  return [words count] ? [words componentsJoinedByString: @"; "] : @"nothing";
+}
+
++ (NSString *) of: (model_t *)model engine: (fast_t *)engine
+           window: (struct window)w
+          options: (struct render_options)options
+{
+  NSMutableString *text = [NSMutableString string];
+  struct counters c = { 0 };
+  struct k_facts f;
+  camera_t *camera = model->camera;
+  uint64_t pixels = (uint64_t)(w.x1 - w.x0) * (w.y1 - w.y0);
+  uint64_t per_pixel = (uint64_t)options.samples * camera->exposure;
+  double each = [self try: w of: camera engine: engine counters: &c]
+    * per_pixel;
+
+  k_scene_facts(engine->scene, &f);
+  [text appendFormat: @"picture   %u x %u pixels, %" PRIu64 " traced, %"
+        PRIu64 " rays through each\n", camera->columns, camera->rows, pixels,
+        per_pixel];
+  [text appendFormat: @"shapes    %@\n", [self shapesOf: &f]];
+  [text appendFormat: @"lights    %lu\n",
+        (unsigned long)[model->lights count]];
+  [text appendFormat: @"media     %u\n", f.media];
+  [text appendFormat: @"tree      %u nodes, %u deep\n", f.nodes, f.depth];
+  [text appendFormat: @"depth     %u generations of rays at most\n",
+        model->max_depth + 1];
+  [text appendFormat: @"left out  %@\n", [self leftOut: &f of: model]];
+  [text appendFormat: @"memory    %zu bytes for the scene, %" PRIu64
+        " for the picture\n", f.bytes,
+        pixels * (uint64_t)sizeof(struct pixel)];
+  [text appendFormat: @"rays      about %.2g: %.2g eye, %.2g reflection,"
+        @" %.2g refraction, %.2g feeler\n", each * counters_rays(&c),
+        each * c.eye, each * c.reflection, each * c.refraction,
+        each * c.feeler];
+  [text appendFormat: @"threads   %u, instructions %s\n", options.threads,
+        f.isa];
+  return text;
+}
+
+@end
