@@ -8,6 +8,7 @@
    The colours are those of docs/formulas.md with NFF's materials, which have
    no ambient light, and lights without falloff. Nothing is allocated per ray.
    A ray past the depth is counted and black, as in the program's own counts.
+   EMBREE_ISA=avx2 and the like hold Embree back to an instruction set.
    Prints seconds and rays as one JSON object, as --stats=json does. */
 
 #include <algorithm>
@@ -38,9 +39,18 @@ struct vec
   float x, y, z;
 };
 
-inline vec operator+ (vec a, vec b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline vec operator- (vec a, vec b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline vec operator* (vec a, vec b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+inline vec operator+ (vec a, vec b)
+{
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline vec operator- (vec a, vec b)
+{
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline vec operator* (vec a, vec b)
+{
+  return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
 inline vec operator* (vec a, float s) { return {a.x * s, a.y * s, a.z * s}; }
 inline vec operator- (vec a) { return {-a.x, -a.y, -a.z}; }
 inline float dot (vec a, vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
@@ -516,7 +526,9 @@ main (int argc, char **argv)
 
   time[1] = now ();
   char config[64];
-  std::snprintf (config, sizeof config, "threads=%d", threads);
+  const char *isa = std::getenv ("EMBREE_ISA");
+  std::snprintf (config, sizeof config, "threads=%d%s%.20s", threads,
+                 isa != nullptr ? ",isa=" : "", isa != nullptr ? isa : "");
   RTCDevice device = rtcNewDevice (config);
   build (device, s);
 

@@ -32,12 +32,12 @@ function y(v) {
   return high - bottom - (high - top - bottom) * (log10(v) - y0) / (y1 - y0)
 }
 function words(px, py, anchor, what, color) {
-  printf "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\" fill=\"%s\">%s</text>\n",
-    px, py, anchor, color ? color : "#333", what
+  printf "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\" " \
+    "fill=\"%s\">%s</text>\n", px, py, anchor, (color ? color : "#333"), what
 }
 function line(ax, ay, bx, by, color) {
-  printf "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\"/>\n",
-    ax, ay, bx, by, color
+  printf "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" " \
+    "stroke=\"%s\"/>\n", ax, ay, bx, by, color
 }
 
 END {
@@ -47,7 +47,7 @@ END {
     "font-family=\"sans-serif\" font-size=\"13\">\n", wide, high
   printf "<rect width=\"%d\" height=\"%d\" fill=\"#fff\"/>\n", wide, high
   words(left, 22, "start", "Sphere flake: seconds of tracing, " most \
-    " threads")
+    (most == 1 ? " thread" : " threads"))
   printf "<g font-size=\"10\">"
   words(left, 38, "start", note, "#777")
   print "</g>"

@@ -8,7 +8,7 @@
 
 struct counters
 {
-  uint64_t eye, reflection, refraction, feeler; // rays by kind
+  uint64_t eye, reflection, refraction, feeler; // rays traced, by kind
   uint64_t tests;       // times an object was asked for its hits
   uint64_t nodes;       // nodes of the tree that were looked at
   uint64_t escapes;     // rays that left a closed object through an edge

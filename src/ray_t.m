@@ -189,7 +189,7 @@
   ray_t *reflection = [(ray_t *)[ray_t alloc] init: P : r
                                               from: self through: NO];
 
-  counters->reflection++;
+  counters->reflection += depth < model->max_depth;
   struct k_vec color = [reflection trace: model]->v;
   [reflection release];
   return color;
@@ -202,7 +202,7 @@
   ray_t *refraction = [(ray_t *)[ray_t alloc] init: P : t
                                               from: self through: YES];
 
-  counters->refraction++;
+  counters->refraction += depth < model->max_depth;
   [inside retain];
   [refraction->media release];
   refraction->media = inside;

@@ -167,7 +167,7 @@ reflection(const struct k_scene *scene, const struct k_ray *ray,
 {
   struct k_ray child;
 
-  ray->counters->reflection++;
+  ray->counters->reflection += depth < scene->settings.max_depth;
   spawn(scene, &child, ray, shade_renew(shade_reflect(ray->d, Ns)), 0,
         ray->media);
   return trace(scene, &child, dis, depth + 1);
@@ -179,7 +179,7 @@ refraction(const struct k_scene *scene, const struct k_ray *ray, struct k_vec t,
 {
   struct k_ray child;
 
-  ray->counters->refraction++;
+  ray->counters->refraction += depth < scene->settings.max_depth;
   spawn(scene, &child, ray, t, 1, inside);
   return trace(scene, &child, dis, depth + 1);
 }

@@ -95,10 +95,11 @@ for how in auto none; do
   same "$(cat bar.txt)" "" "--progress $how shows nothing in a pipe"
 done
 if script -qec true /dev/null </dev/null >/dev/null 2>&1; then
-  script -qec "'$RAYTRACE' pin.mdl -o x.ppm -r 1500x1000" /dev/null \
+  slow="pin.mdl -o x.ppm -r 1500x1000 --engine notes"
+  script -qec "'$RAYTRACE' $slow" /dev/null \
     </dev/null >bar.txt
   pass "on a terminal there is a bar" grep -q '%.*\[.*\]' bar.txt
-  script -qec "'$RAYTRACE' -q pin.mdl -o x.ppm -r 1500x1000" /dev/null \
+  script -qec "'$RAYTRACE' -q $slow" /dev/null \
     </dev/null >bar.txt
   same "$(cat bar.txt)" "" "but not with -q"
 else
