@@ -32,6 +32,7 @@ struct render_options
 @protected
   unsigned tile_count, tiles_across;
   unsigned next_tile, tiles_done;       // atomic
+  NSLock *lock;                 // of counters
 }
 
 - (id) init: (id <engine_t>)engine camera: (camera_t *)camera

@@ -1,10 +1,15 @@
 #import "render_t.h"
 #import "camera_t.h"
 #include "sampler.h"
+#include <pthread.h>
 
 // Pixels of one side of a tile: large enough that taking the next one costs
 // nothing, small enough that the last ones keep all threads busy.
 #define TILE 16
+
+// Bytes of a thread's stack: rays are traced by recursion, and deep ones in
+// many media at once need more than threads commonly have.
+#define STACK_SIZE (64 << 20)
 
 @implementation render_t
 
@@ -16,6 +21,7 @@
       engine = [anEngine retain];
       camera = [aCamera retain];
       image = [anImage retain];
+      lock = [[NSLock alloc] init];
       options = someOptions;
       tiles_across = ([image width] + TILE - 1) / TILE;
       tile_count = tiles_across * (([image height] + TILE - 1) / TILE);
@@ -28,6 +34,7 @@
   [image release];
   [camera release];
   [engine release];
+  [lock release];
   [super dealloc];
 }
 
@@ -111,9 +118,8 @@
     }
 }
 
-/** What each thread does: take tiles until there are none left. `alive`
-    counts the threads. */
-- (void) work: (NSConditionLock *)alive
+/** What each thread does: take tiles until there are none left. */
+- (void) work
 {
   NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
   struct counters mine = { 0 };
@@ -125,27 +131,44 @@
       [self tile: tile counters: &mine];
       __atomic_fetch_add(&tiles_done, 1, __ATOMIC_RELAXED);
     }
-  [alive lock];
+  [lock lock];
   counters_add(&counters, &mine);
-  [alive unlockWithCondition: [alive condition] - 1];
+  [lock unlock];
   [pool release];
+}
+
+static void *
+work_in_thread(void *render)
+{
+  GSRegisterCurrentThread();
+  [(render_t *)render work];
+  GSUnregisterCurrentThread();
+  return NULL;
 }
 
 - (void) run
 {
-  NSConditionLock *alive = [[NSConditionLock alloc]
-                             initWithCondition: options.threads];
+  pthread_t threads[options.threads];
+  pthread_attr_t attributes;
+  unsigned started = 0;
 
-  for (unsigned i = 1; i < options.threads; i++)
+  pthread_attr_init(&attributes);
+  pthread_attr_setstacksize(&attributes, STACK_SIZE);
+  while (started < options.threads
+         && pthread_create(&threads[started], &attributes, work_in_thread,
+                           self) == 0)
     {
-      [NSThread detachNewThreadSelector: @selector(work:)
-                               toTarget: self
-                             withObject: alive];
+      started++;
     }
-  [self work: alive];
-  [alive lockWhenCondition: 0];
-  [alive unlock];
-  [alive release];
+  pthread_attr_destroy(&attributes);
+  if (started == 0)
+    {
+      [self work];              // no thread is to be had: then in this one
+    }
+  while (started)
+    {
+      pthread_join(threads[--started], NULL);
+    }
 }
 
 - (double) done

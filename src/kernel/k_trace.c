@@ -93,25 +93,56 @@ media_leave(const struct k_media *media, unsigned medium,
   return m->below;
 }
 
-/** Takes those media off the stack that the ray, whose nearest hit is known,
-    has no way out of: -[ray_t forgetMediaLeft]. `room` is as long as the
-    stack is deep, squared. */
+/** Whether the ray, whose nearest hit is known, has no way out of something it
+    is in. */
+static int
+is_left(const struct k_scene *scene, const struct k_ray *ray,
+        const struct k_media *m)
+{
+  return ray->hit.surface->medium != m->medium
+    && scene->media[m->medium].is_bounded && !leaves(scene, ray, m->medium);
+}
+
+static int
+any_is_left(const struct k_scene *scene, const struct k_ray *ray)
+{
+  for (const struct k_media *m = ray->media; m; m = m->below)
+    {
+      if (is_left(scene, ray, m))
+        {
+          return 1;
+        }
+    }
+  return 0;
+}
+
+/** Takes those media off the stack: -[ray_t forgetMediaLeft]. What stays is
+    copied to `room`. */
 static void
 forget_media_left(const struct k_scene *scene, struct k_ray *ray,
-                  struct k_media *room, unsigned depth)
+                  struct k_media *room)
 {
-  const struct k_media *kept = ray->media;
+  const struct k_media *kept = NULL;
+  struct k_media *last = NULL;
 
   for (const struct k_media *m = ray->media; m; m = m->below)
     {
-      if (ray->hit.surface->medium != m->medium
-          && scene->media[m->medium].is_bounded
-          && !leaves(scene, ray, m->medium))
+      if (is_left(scene, ray, m))
         {
-          kept = media_leave(kept, m->medium, room);
-          room += depth;
           ray->counters->escapes++;
+          continue;
         }
+      *room = *m;
+      room->below = NULL;
+      if (last)
+        {
+          last->below = room;
+        }
+      else
+        {
+          kept = room;
+        }
+      last = room++;
     }
   ray->media = kept;
 }
@@ -233,11 +264,10 @@ trace(const struct k_scene *scene, struct k_ray *ray, double dis, unsigned depth
       return scene->settings.background;
     }
   finish_hit(ray);
-  if (ray->media)
+  if (ray->media && any_is_left(scene, ray))
     {
-      unsigned n = media_depth(ray->media);
-      forget_media_left(scene, ray, alloca(n * n * sizeof(struct k_media)),
-                        n);
+      forget_media_left(scene, ray, alloca(media_depth(ray->media)
+                                           * sizeof(struct k_media)));
     }
   dis += ray->hit.t;
 
@@ -275,8 +305,11 @@ trace(const struct k_scene *scene, struct k_ray *ray, double dis, unsigned depth
 
   if (m->alpha > 0)
     {
-      struct k_media *room = ray->media
-        ? alloca(media_depth(ray->media) * sizeof *room) : NULL;
+      // Room for taking something out from under the top.
+      int is_top = !ray->media
+        || ray->media->medium == ray->hit.surface->medium;
+      struct k_media *room = is_top ? NULL
+        : alloca(media_depth(ray->media) * sizeof *room);
       t = refract(scene, ray, Ns, &entered, room, &inside, &R);
     }
   if (is_mirror || R > 0)
