@@ -2,6 +2,7 @@
 // Notes, "depth of field".
 
 #import "block_t.h"
+#include "kernel/k_bounds.h"
 
 @class ray_t;
 
@@ -34,6 +35,9 @@ struct sample
 
 /** Another number of columns and rows for the same window. */
 - (void) resizeTo: (unsigned)newColumns : (unsigned)newRows;
+
+/** A box round all points where rays start. */
+- (struct k_bounds) lensBox;
 
 /** Starting point and unit direction of a ray. */
 - (void) ray: (struct sample)sample

@@ -203,6 +203,20 @@ disc_from_square(double *u, double *v)
     }
 }
 
+- (struct k_bounds) lensBox
+{
+  struct k_bounds box = { viewpoint, viewpoint };
+
+  if (has_lens)
+    {
+      double a = 2 * aperture;  // at least its diagonal
+      struct k_vec corner = k_vec(a, a, a);
+      box.least = k_sub(viewpoint, corner);
+      box.most = k_add(viewpoint, corner);
+    }
+  return box;
+}
+
 - (void) centralRay: (struct sample)sample
                 pos: (struct k_vec *)pos dir: (struct k_vec *)dir
 {

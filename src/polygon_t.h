@@ -25,6 +25,10 @@
   struct k_bounds box;
 }
 
+/** Whether the ray's line meets the plane, and the distance *t, of any sign,
+    at which it does. */
+- (BOOL) meetsPlane: (ray_t *)ray at: (double *)t;
+
 /** Whether the ray's line passes through the polygon where it meets the
     plane, at the distance t. */
 - (BOOL) holds: (ray_t *)ray at: (double)t;

@@ -216,6 +216,16 @@
   return turns != 3 && flips <= 2;
 }
 
+- (BOOL) meetsPlane: (ray_t *)ray at: (double *)t
+{
+  struct k_vec o = ray->pos->v, d = ray->dir->v;
+  const double *const v[3] = { vertex[0], vertex[1], vertex[2] };
+
+  return k_plane_hit(&plane, o, d, t)
+    && (test != POLYGON_CROSSINGS
+        || k_polygon_settle(&plane, o, d, ray->inverse, count, v, t));
+}
+
 - (BOOL) holds: (ray_t *)ray at: (double)t
 {
   struct k_vec o = ray->pos->v, d = ray->dir->v;
@@ -237,7 +247,7 @@
   struct k_vec o = ray->pos->v, d = ray->dir->v;
   double t;
 
-  if (ray->from != self && k_plane_hit(&plane, o, d, &t) && [ray wants: t]
+  if (ray->from != self && [self meetsPlane: ray at: &t] && [ray wants: t]
       && [self holds: ray at: t])
     {
       [ray meets: self at: t normal: plane.n

@@ -65,21 +65,29 @@
   return shells > 0;
 }
 
-/** Whether every vertex lies behind or on every face, as near as can be
-    told. */
-- (BOOL) allFacesAreOutside
+/** Whether every vertex lies behind every face or, as near as can be told, on
+    it, and no two faces lie in one plane: then the planes alone say which face
+    a ray meets. */
+- (BOOL) isGivenByPlanes
 {
   for (polygon_t *face in faces)
     {
       for (polygon_t *other in faces)
         {
+          BOOL lies_in_it = other != face;
           for (unsigned i = 0; i < other->count; i++)
             {
               struct k_vec v = k_sub([other vertexAt: i], face->plane.q);
-              if (k_dot(face->plane.n, v) > 4 * slack)
+              double ahead = k_dot(face->plane.n, v);
+              if (ahead > 4 * slack)
                 {
                   return NO;
                 }
+              lies_in_it &= ahead >= -4 * slack;
+            }
+          if (lies_in_it)
+            {
+              return NO;
             }
         }
     }
@@ -109,7 +117,7 @@
           [self release];
           return nil;
         }
-      is_convex = [faces count] <= CLIPPED_FACES && [self allFacesAreOutside];
+      is_convex = [faces count] <= CLIPPED_FACES && [self isGivenByPlanes];
       for (polygon_t *face in faces)
         {
           if (material->alpha > 0)
@@ -229,7 +237,7 @@
       if (ray->from == face
           || ((ray->from || is_inside)
               && (k_dot(face->plane.n, d) > 0) != is_inside)
-          || !k_plane_hit(&face->plane, o, d, &t))
+          || ![face meetsPlane: ray at: &t])
         {
           continue;
         }

@@ -54,7 +54,7 @@ gather(const struct k_scene *scene, struct k_item *items)
       for (uint32_t i = 0; i < counts[kind]; i++)
         {
           struct k_ref ref = { kind, i };
-          if (kind != K_USER || !k_is_unbounded(scene->users[i].user.box))
+          if (kind != K_USER || k_has_box(scene->users[i].user.box))
             {
               items[n++].ref = ref;
             }
@@ -76,7 +76,8 @@ normalise(const struct k_scene *scene, struct k_tree *tree,
       all = k_bounds_include(k_bounds_include(all, box.least), box.most);
     }
   tree->center = k_scale(k_add(all.least, all.most), 0.5);
-  tree->scale = 1 / k_exponent_scale(k_sub(all.most, all.least));
+  double size = k_exponent_scale(k_sub(all.most, all.least));
+  tree->scale = size > 0 ? 1 / size : 1;
   for (uint32_t i = 0; i < n; i++)
     {
       struct k_bounds box = box_of(scene, items[i].ref);

@@ -142,6 +142,17 @@ k_polygon_holds(const struct k_polygon *polygon, const struct k_ray *ray,
     }
 }
 
+/** Where the ray meets the polygon's plane: -[polygon_t meetsPlane:at:] */
+static inline int
+k_polygon_plane_hit(const struct k_polygon *polygon, const struct k_ray *ray,
+                    double *t)
+{
+  return k_plane_hit(&polygon->plane, ray->o, ray->d, t)
+    && (polygon->test != 0
+        || k_polygon_settle(&polygon->plane, ray->o, ray->d, ray->inverse,
+                            polygon->n, polygon->vertex, t));
+}
+
 static inline int
 k_media_has(const struct k_media *media, unsigned medium)
 {
@@ -162,7 +173,7 @@ k_face_ask(const struct k_polygon *face, struct k_ray *ray)
   if (ray->from == &face->s
       || ((ray->from || is_inside)
           && (k_dot(face->plane.n, ray->d) > 0) != is_inside)
-      || !k_plane_hit(&face->plane, ray->o, ray->d, &t))
+      || !k_polygon_plane_hit(face, ray, &t))
     {
       return;
     }
@@ -190,7 +201,7 @@ k_polygon_ask(const struct k_polygon *polygon, struct k_ray *ray)
       k_face_ask(polygon, ray);
     }
   else if (ray->from != &polygon->s
-           && k_plane_hit(&polygon->plane, ray->o, ray->d, &t)
+           && k_polygon_plane_hit(polygon, ray, &t)
            && k_wants(ray, t) && k_polygon_holds(polygon, ray, t))
     {
       k_meets_plane(ray, &polygon->s, t, &polygon->plane);

@@ -5,6 +5,8 @@
 #ifndef K_POLYGON_HIT_H
 #define K_POLYGON_HIT_H
 
+#include "k_bounds.h"
+#include "k_plane_hit.h"
 #include "k_shear.h"
 
 /** Crossings: how often the line from the ray to infinity along +x crosses
@@ -48,6 +50,40 @@ k_polygon_crossings(struct k_vec o, const struct k_shear *shear, unsigned n,
       Y0 = Y1;
     }
   return is_inside;
+}
+
+// A ray that runs along a polygon's plane, this near, meets the plane at a
+// distance that has lost a quarter of its digits or all.
+#define K_GRAZING 0x1p-12
+
+/** For crossings, which look at the line only: moves the distance at which a
+    ray meets a polygon's plane to where the ray is in the polygon's box, if it
+    grazes and rounding has put that elsewhere. So the hit is never in front of
+    the box, and whoever has something nearer may leave out the polygon. 0 when
+    the ray misses the box. */
+static inline int
+k_polygon_settle(const struct k_plane *plane, struct k_vec o, struct k_vec d,
+                 struct k_vec inverse, unsigned n,
+                 const double *const v[3], double *t)
+{
+  struct k_bounds box = k_nothing();
+  double t_in = -HUGE_VAL, t_out = HUGE_VAL;
+
+  if (fabs(k_dot(plane->n, d)) >= K_GRAZING)
+    {
+      return 1;
+    }
+  for (unsigned i = 0; i < n; i++)
+    {
+      box = k_bounds_include(box, k_vec(v[0][i], v[1][i], v[2][i]));
+    }
+  box = k_bounds_pad(box);
+  k_slab(box.least.x, box.most.x, o.x, inverse.x, &t_in, &t_out);
+  k_slab(box.least.y, box.most.y, o.y, inverse.y, &t_in, &t_out);
+  k_slab(box.least.z, box.most.z, o.z, inverse.z, &t_in, &t_out);
+  *t = *t > t_out ? t_out : *t;
+  *t = *t < t_in ? t_in : *t;
+  return t_in <= t_out * (1 + 8 * K_U);
 }
 
 /** Edges: P is inside when it is on the inner side of every edge, that is of

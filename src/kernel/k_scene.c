@@ -210,7 +210,8 @@ k_add_user(struct k_scene *scene, struct k_surface s, struct k_user user)
     }
   shape->user = user;
   shape->s = s;
-  if (k_is_unbounded(user.box))
+  // One of k_nothing() is not asked at all.
+  if (!k_has_box(user.box) && !(user.box.least.x > user.box.most.x))
     {
       uint32_t *at = ONE_MORE(scene, unbounded, unbounded);
       if (at)

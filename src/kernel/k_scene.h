@@ -131,6 +131,15 @@ enum k_status k_tree_make(struct k_scene *scene, unsigned threads);
 /** The instruction set for this machine, or the one named; NULL: none. */
 const struct k_isa *k_isa_find(const char *name);
 
+/** Whether a shape with this box goes into the tree: it has one, no larger
+    than scenes can be. */
+static inline int
+k_has_box(struct k_bounds b)
+{
+  return !k_is_unbounded(b)
+    && k_max2(k_norm_max(b.least), k_norm_max(b.most)) < 0x1p500;
+}
+
 static inline int
 k_is_opaque(const struct k_scene *scene, const struct k_surface *s)
 {

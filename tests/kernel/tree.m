@@ -1,7 +1,8 @@
 // tree.m - the search through the tree finds what asking every shape finds:
 // same surface, t, P and N, to the bit, by each instruction set; and what the
 // notes engine finds. Random rays, rays aimed at where a search may fail, the
-// rays that start where those hit, and shadow feelers.
+// rays that start where those hit, and shadow feelers; in scenes far from the
+// origin, very small and very large, and seen from very far away.
 
 #import "kernel.h"
 
@@ -41,6 +42,23 @@ static const char *kind_names[] = { "spheres", "triangles",
 
 #define SIZE 4.0                // all scenes fill about [-4, 4]^3
 
+/** Then that is moved by `offset` and taken times 2^k. */
+struct where
+{
+  int k;
+  double offset;
+  double away;          // aimed rays start this many SIZE away, or so
+};
+
+static struct where where;
+
+static struct k_vec
+placed(struct k_vec v)
+{
+  v = k_add(v, k_vec(where.offset, -where.offset, where.offset / 2));
+  return k_scale(v, ldexp(1, where.k));
+}
+
 // Scenes
 
 static const char *
@@ -55,8 +73,9 @@ static void
 add_sphere(NSMutableString *text, const char *word, unsigned i, double radius,
            struct support_random *random)
 {
-  struct k_vec c = support_point(random, SIZE);
+  struct k_vec c = placed(support_point(random, SIZE));
 
+  radius = ldexp(radius, where.k);
   [text appendFormat: @"%s s%u { material %s center %.17g %.17g %.17g"
     @" radius %.17g }\n", word, i, some_material(random), c.x, c.y, c.z,
     radius * support_between(random, 0.2, 2)];
@@ -83,8 +102,8 @@ add_polygon(NSMutableString *text, unsigned i, unsigned n, double radius,
     {
       double turn = 2 * M_PI * (k + 0.8 * support_unit(random)) / n;
       double r = radius * (is_concave ? support_between(random, 0.1, 2) : 1);
-      struct k_vec v = k_along(k_along(c, r * cos(turn), x), r * sin(turn),
-                               y);
+      struct k_vec v = placed(k_along(k_along(c, r * cos(turn), x),
+                                      r * sin(turn), y));
       [text appendFormat: @" vertex %.17g %.17g %.17g", v.x, v.y, v.z];
     }
   [text appendString: @" }\n"];
@@ -122,6 +141,7 @@ add_solid(NSMutableString *text, unsigned i, double size, int is_convex,
           struct k_vec v = face < n
             ? corners[k / 2][(face + (k == 1 || k == 2)) % n]
             : corners[face - n][k];
+          v = placed(v);
           [text appendFormat: @" vertex %.17g %.17g %.17g", v.x, v.y, v.z];
         }
       [text appendString: @" }\n"];
@@ -146,7 +166,7 @@ scene_of(enum kind kind, unsigned n, uint64_t seed)
         }
       else if (kind == TRIANGLES || (kind == MIXED && what < 8))
         {
-          add_polygon(text, i, 3, radius, 0, &random);
+          add_polygon(text, i, 3, 1.5 * radius, 0, &random);
         }
       else if (kind == CONCAVE || what < 12)
         {
@@ -163,10 +183,20 @@ scene_of(enum kind kind, unsigned n, uint64_t seed)
     }
   if (kind == MIXED)
     {
-      [text appendString: @"plane low { material stone normal 0 1 0 point 0 -5"
-        @" 0 }\nplane side { material glass normal 1 .25 0 point 3 0 0 }\n"
-        @"sea sea { material stone normal .1 0 1 point 0 0 -6 }\n"
-        @"sea mist { material water normal 0 -1 .5 point 0 4 0 }\n"];
+      static const char *planes[] = {
+        "plane low { material stone normal 0 1 0",
+        "plane side { material glass normal 1 .25 0",
+        "sea sea { material stone normal .1 0 1",
+        "sea mist { material water normal 0 -1 .5"
+      };
+      static const struct k_vec points[] = { { 0, -5, 0 }, { 3, 0, 0 },
+                                             { 0, 0, -6 }, { 0, 4, 0 } };
+      for (int i = 0; i < 4; i++)
+        {
+          struct k_vec p = placed(points[i]);
+          [text appendFormat: @"%s point %.17g %.17g %.17g }\n", planes[i],
+            p.x, p.y, p.z];
+        }
     }
   return support_model_with(support_options(), text);
 }
@@ -241,7 +271,7 @@ on_box(const struct k_bounds *box, int free, struct support_random *random)
 static void
 random_ray(struct support_random *random, struct k_vec *o, struct k_vec *d)
 {
-  *o = support_point(random, 2 * SIZE);
+  *o = placed(support_point(random, 2 * SIZE));
   *d = support_direction(random);
 }
 
@@ -255,9 +285,11 @@ aimed_ray(const struct k_scene *scene, unsigned aim,
   struct k_ref ref = scene->tree.refs[(uint32_t)(n * support_unit(random))];
   struct k_bounds box = kernel_box(scene, ref);
   struct k_vec p = on_box(&box, aim % 3, random);
-  double away = support_between(random, -2 * SIZE, 2 * SIZE);
+  double away = ldexp(where.away * support_between(random, -SIZE, SIZE),
+                      where.k);
 
   random_ray(random, o, d);
+  *o = k_along(*o, away, support_direction(random));
   switch (aim)
     {
     case 0:                     // a corner, an edge, a face of a box
@@ -380,6 +412,7 @@ try(model_t *model, const struct k_scene *scene, struct k_vec o,
   if (asks_notes)
     {
       twin = compare_notes(model, &ray, &found, nil, 0, tally);
+      asks_notes = twin->hit.object != nil;
     }
   if (!found.hit.surface || tally->rays % 4)
     {
@@ -404,7 +437,7 @@ try(model_t *model, const struct k_scene *scene, struct k_vec o,
       compare_notes(model, &next, &last, twin, through, tally);
     }
 
-  next = kernel_feeler(&found, support_point(random, 2 * SIZE));
+  next = kernel_feeler(&found, placed(support_point(random, 2 * SIZE)));
   compare(scene, &next, &last, tally);
   tally->feelers++;
   tally->blocked += last.hit.surface != NULL;
@@ -414,17 +447,19 @@ try(model_t *model, const struct k_scene *scene, struct k_vec o,
     }
 }
 
-/** `rays` random rays and a tenth as many aimed ones. */
+/** `rays` random rays and `aimed` aimed ones. */
 static void
-scene(enum kind kind, unsigned n, unsigned rays)
+scene(enum kind kind, unsigned n, unsigned rays, unsigned aimed,
+      struct where there)
 {
   NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
+  where = there;
   model_t *model = scene_of(kind, n, n + kind);
   fast_t *fast = (fast_t *)support_fast(model, nil);
   struct tally random_tally = { 0 }, aimed_tally = { 0 };
   unsigned every = 1 + rays / 2000;
 
-  for (unsigned i = 0; i < rays + rays / 10; i++)
+  for (unsigned i = 0; i < rays + aimed; i++)
     {
       NSAutoreleasePool *inner = [[NSAutoreleasePool alloc] init];
       struct support_random random = support_seed(i);
@@ -448,10 +483,16 @@ scene(enum kind kind, unsigned n, unsigned rays)
     {
       const struct tally *t = tallies[i];
       const char *which = i ? "aimed" : "random";
+      if (t->rays == 0)
+        {
+          continue;
+        }
       PASS(t->hits > t->rays / 10 && t->feelers > t->rays / 50
            && t->blocked > t->feelers / 50,
-           "%u %s: of %u %s rays %u hit; of %u feelers %u are blocked", n,
-           kind_names[kind], t->rays, which, t->hits, t->feelers, t->blocked);
+           "%u %s + %g times 2^%d: of %u %s rays, from up to %g away, %u hit;"
+           " of %u feelers %u are blocked", n, kind_names[kind], where.offset,
+           where.k, t->rays, which, where.away * SIZE, t->hits, t->feelers,
+           t->blocked);
       PASS(t->wrong == 0, "the tree finds what asking all does: %u wrong",
            t->wrong);
       PASS(t->notes_wrong == 0, "so does the notes engine: %u of %u wrong",
@@ -466,6 +507,11 @@ main(void)
   NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
   const struct k_isa *isas[4];
   unsigned count = kernel_isas(isas);
+  static const struct where places[] = {
+    { 0, 0, 1e3 }, { 0, 0, 0x1p20 }, { 0, 0, 0x1p29 }, { 0, 0, 0x1p35 },
+    { 0, 1e6, 2 }, { 0, 1e9, 2 }, { -370, 0, 2 }, { -370, 1e6, 1e3 },
+    { 380, 0, 2 }, { 350, 1e9, 0x1p20 }
+  };
 
   for (unsigned i = 0; i < count; i++)
     {
@@ -473,8 +519,13 @@ main(void)
     }
   for (int kind = SPHERES; kind <= MIXED; kind++)
     {
-      scene(kind, 80, 230000);
-      scene(kind, kind == MIXED ? 1000 : 3000, 20000);
+      struct where here = { 0, 0, 2 };
+      scene(kind, 80, 230000, 23000, here);
+      scene(kind, kind == MIXED ? 1000 : 2000, 20000, 2000, here);
+      for (unsigned i = 0; i < sizeof places / sizeof *places; i++)
+        {
+          scene(kind, 80, 0, 4000, places[i]);
+        }
     }
   [pool release];
   return test_done();
