@@ -45,25 +45,41 @@
   return keyword;
 }
 
+/** A name as a string (not autoreleased). GNUstep keeps the characters of a
+    string that is made of a C string in the same piece of memory. */
+static NSString *
+new_name(struct token name)
+{
+  char text[LONGEST_WORD + 1];
+
+  if (name.length > LONGEST_WORD)
+    {
+      return [token_string(name) retain];
+    }
+  memcpy(text, name.at, name.length);
+  text[name.length] = '\0';
+  return [[NSString alloc] initWithUTF8String: text];
+}
+
 - (NSString *) name
 {
   if (name == nil)
     {
-      name = [[NSString alloc] initWithBytes: record->name.at
-                                length: record->name.length
-                              encoding: NSUTF8StringEncoding];
+      name = new_name(record->name);
     }
   return name;
 }
 
-/** The i-th occurrence of an attribute, or NULL. */
-- (const struct given *) given: (const char *)attribute at: (unsigned)i
+/** The i-th occurrence of an attribute in a block, or NULL. */
+static const struct given *
+find_given(const block_t *block, const char *attribute, unsigned i)
 {
-  const struct given *given = &store->givens[record->given];
+  const struct record *record = block->record;
+  const struct given *given = &block->store->givens[record->given];
 
   for (unsigned k = 0; k < record->given_count; k++, given++)
     {
-      const char *other = table[given->attribute].name;
+      const char *other = block->table[given->attribute].name;
       if ((other == attribute || strcmp(other, attribute) == 0) && i-- == 0)
         {
           return given;
@@ -86,14 +102,14 @@
 
 - (double) number: (const char *)attribute or: (double)fallback
 {
-  const struct given *given = [self given: attribute at: 0];
+  const struct given *given = find_given(self, attribute, 0);
 
   return given ? store->values[given->value].number : fallback;
 }
 
 - (double) number: (const char *)attribute at: (unsigned)i
 {
-  const struct given *given = [self given: attribute at: 0];
+  const struct given *given = find_given(self, attribute, 0);
 
   NSAssert(given, @"%s was not given", attribute);
   return store->values[given->value + i].number;
@@ -107,14 +123,14 @@ vector(const struct value *values)
 
 - (struct k_vec) vector: (const char *)attribute or: (struct k_vec)fallback
 {
-  const struct given *given = [self given: attribute at: 0];
+  const struct given *given = find_given(self, attribute, 0);
 
   return given ? vector(&store->values[given->value]) : fallback;
 }
 
 - (struct k_vec) vector: (const char *)attribute at: (unsigned)i
 {
-  const struct given *given = [self given: attribute at: i];
+  const struct given *given = find_given(self, attribute, i);
 
   NSAssert(given, @"%s was not given", attribute);
   return vector(&store->values[given->value]);
@@ -128,7 +144,7 @@ word(const struct value *value)
 
 - (NSString *) word: (const char *)attribute
 {
-  const struct given *given = [self given: attribute at: 0];
+  const struct given *given = find_given(self, attribute, 0);
 
   return given == NULL ? nil
     : token_string(word(&store->values[given->value]));
@@ -136,7 +152,7 @@ word(const struct value *value)
 
 - (material_t *) material
 {
-  const struct given *given = [self given: "material" at: 0];
+  const struct given *given = find_given(self, "material", 0);
 
   NSAssert(given, @"%@ has no material", [self keyword]);
   return materials[[store find: KIND_MATERIAL
@@ -150,7 +166,7 @@ word(const struct value *value)
 
 - (struct place) placeOf: (const char *)attribute at: (unsigned)i
 {
-  const struct given *given = [self given: attribute at: i];
+  const struct given *given = find_given(self, attribute, i);
 
   NSAssert(given, @"%s was not given", attribute);
   return [text placeAt: given->order];
@@ -158,13 +174,13 @@ word(const struct value *value)
 
 - (struct place) placeOfValue: (const char *)attribute at: (unsigned)i
 {
-  const struct given *given = [self given: attribute at: 0];
+  const struct given *given = find_given(self, attribute, 0);
 
   NSAssert(given, @"%s was not given", attribute);
 
   unsigned n = attribute_values(&table[given->attribute]);
 
-  given = [self given: attribute at: i / n];
+  given = find_given(self, attribute, i / n);
   return [text placeAt: store->values[given->value + i % n].order];
 }
 

@@ -121,6 +121,7 @@
 {
   unsigned camera = store->camera;
 
+  [store forgetShapes];
   model = theModel;
   model->background = store->background;
   [self makeMaterials];

@@ -1,4 +1,5 @@
 #import "fast_t.h"
+#import "camera_t.h"
 #import "compiler_t.h"
 #import "errors.h"
 #import "light_t.h"
@@ -61,6 +62,14 @@ holds(const struct k_bounds *box, struct k_vec p)
     && box->least.z <= p.z && p.z <= box->most.z;
 }
 
+static BOOL
+overlap(const struct k_bounds *a, const struct k_bounds *b)
+{
+  return a->least.x <= b->most.x && b->least.x <= a->most.x
+    && a->least.y <= b->most.y && b->least.y <= a->most.y
+    && a->least.z <= b->most.z && b->least.z <= a->most.z;
+}
+
 @implementation fast_t
 
 - (void) addUser: (object_t *)object
@@ -74,6 +83,16 @@ holds(const struct k_bounds *box, struct k_vec p)
   k_add_user(scene, [compiler surfaceOf: object], shape);
 }
 
+- (void) addClear: (struct k_bounds)box
+{
+  clear[clear_count++] = box;
+  if (overlap(&box, &lens))
+    {
+      clear[clear_count - 1] = clear[clear_at_lens];
+      clear[clear_at_lens++] = box;
+    }
+}
+
 - (id) initWithModel: (model_t *)aModel instructions: (NSString *)instructions
             threads: (unsigned)threads
                error: (NSError **)error
@@ -84,6 +103,7 @@ holds(const struct k_bounds *box, struct k_vec p)
       NSUInteger count = [surfaces count];
 
       model = [aModel retain];
+      lens = [model->camera lensBox];
       scene = k_scene_new();
       users = calloc(count + 1, sizeof *users);
       clear = calloc(count + 1, sizeof *clear);
@@ -98,7 +118,7 @@ holds(const struct k_bounds *box, struct k_vec p)
                 }
               if (object->material->alpha > 0 && [object medium] == object)
                 {
-                  clear[clear_count++] = [(id <object_t>)object bounds];
+                  [self addClear: [(id <object_t>)object bounds]];
                 }
             }
           for (light_t *l in model->lights)
@@ -156,9 +176,12 @@ holds(const struct k_bounds *box, struct k_vec p)
   return room == first ? NULL : first;
 }
 
+/** Whether a ray from o starts in the box of something clear. */
 - (BOOL) mayStartInside: (struct k_vec)o
 {
-  for (unsigned i = 0; i < clear_count; i++)
+  unsigned count = holds(&lens, o) ? clear_at_lens : clear_count;
+
+  for (unsigned i = 0; i < count; i++)
     {
       if (holds(&clear[i], o))
         {
@@ -168,8 +191,7 @@ holds(const struct k_bounds *box, struct k_vec p)
   return NO;
 }
 
-/** The media an eye ray starts in; its objects are looked at only when it
-    starts in one of their boxes. */
+/** The media an eye ray starts in. */
 - (media_t *) startOf: (struct k_vec)o : (struct k_vec)d
 {
   ray_t *ray = [(ray_t *)[ray_t alloc] init: [vec_t vec: o]

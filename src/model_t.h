@@ -26,15 +26,20 @@ enum polygon_test
   unsigned max_depth;           // deepest generation of rays; 5
   enum polygon_test polygon_test;
 @protected
-  NSMutableArray *surfaces;     // what find_closest: asks: see replace:by:
-  struct surface *table;        // the same for speed, see model_t.m
+  NSMutableArray *incomplete;   // objects whose classes have a complete:…
+  Class last_class;             // of the object added last
+  BOOL last_is_incomplete;
+  NSArray *surfaces;            // what find_closest: asks: see replace:by:
+  struct surface *table;        // the same for speed, see model_t.m; made
+                                // when a ray first asks
   unsigned surface_count;
   NSMutableArray *clear;        // objects a ray can be inside of
 }
 
 - (void) addLight: (light_t *)light;
 
-/** Adds an object and gives it its number. */
+/** Adds an object and gives it its number, and its slack unless its class
+    has. */
 - (void) addObject: (object_t *)object;
 
 /** To be called once when everything is added, before anything is traced:

@@ -22,7 +22,8 @@ struct surface
       lights = [[NSMutableArray alloc] init];
       materials = [[NSMutableDictionary alloc] init];
       objects = [[NSMutableArray alloc] init];
-      surfaces = [[NSMutableArray alloc] init];
+      incomplete = [[NSMutableArray alloc] init];
+      surfaces = [objects retain];
       clear = [[NSMutableArray alloc] init];
       max_depth = 5;
     }
@@ -34,6 +35,7 @@ struct surface
   free(table);
   [clear release];
   [surfaces release];
+  [incomplete release];
   [objects release];
   [materials release];
   [lights release];
@@ -50,20 +52,37 @@ struct surface
 {
   [objects addObject: object];
   object->number = [objects count];
+  if ([object class] != last_class)
+    {
+      SEL complete = @selector(complete:model:diag:);
+      last_class = [object class];
+      last_is_incomplete = [last_class methodForSelector: complete]
+        != [object_t methodForSelector: complete];
+    }
+  if (last_is_incomplete)
+    {
+      [incomplete addObject: object];
+    }
+  if (object->slack < 0)
+    {
+      struct k_bounds box = [(id <object_t>)object bounds];
+      object->slack = k_is_unbounded(box) ? 0
+        : 0x1p-30 * k_max2(k_norm1(box.least), k_norm1(box.most));
+    }
 }
 
 // Completion
 
-/** The classes of all objects and what they inherit from, below object_t,
-    that have something to do when the model is complete: the most general
-    first, otherwise in the order of their first object. */
+/** The classes of the incomplete objects and what they inherit from, below
+    object_t, that have something to do when the model is complete: the most
+    general first, otherwise in the order of their first object. */
 - (NSArray *) classesToComplete
 {
   NSMutableArray *classes = [NSMutableArray array];
   SEL complete = @selector(complete:model:diag:);
   Class last = Nil;
 
-  for (object_t *object in objects)
+  for (object_t *object in incomplete)
     {
       NSUInteger at = [classes count];
       if ([object class] == last)
@@ -84,41 +103,42 @@ struct surface
   return classes;
 }
 
-- (void) makeTable
+- (struct surface *) newTable
 {
-  surface_count = 0;
-  table = calloc([surfaces count] + 1, sizeof *table);
+  struct surface *s = calloc([surfaces count] + 1, sizeof *s), *next = s;
+
   for (object_t *object in surfaces)
     {
-      struct surface *s = &table[surface_count++];
-      s->box = [(id <object_t>)object bounds];
-      s->object = object;
-      s->hits = (void (*)(id, SEL, ray_t *))(void (*)(void))
+      next->box = [(id <object_t>)object bounds];
+      next->object = object;
+      next->hits = (void (*)(id, SEL, ray_t *))(void (*)(void))
         [object methodForSelector: @selector(hits:)];
-      s->is_opaque = object->material->alpha == 0;
-      if (!s->is_opaque && [object medium] == object)
+      next->is_opaque = object->material->alpha == 0;
+      next++;
+    }
+  surface_count = next - s;
+  return s;
+}
+
+/** Makes the table, which only the notes engine needs. Several threads may
+    ask for it at once: none sees it before it is complete. */
+- (void) makeTable
+{
+  @synchronized (self)
+    {
+      if (table == NULL)
         {
-          [clear addObject: object];
+          __atomic_store_n(&table, [self newTable], __ATOMIC_RELEASE);
         }
     }
 }
 
 - (void) complete: (diag_t *)diag
 {
-  [surfaces setArray: objects];
-  for (object_t *object in objects)
-    {
-      if (object->slack < 0)
-        {
-          struct k_bounds box = [(id <object_t>)object bounds];
-          object->slack = k_is_unbounded(box) ? 0
-            : 0x1p-30 * k_max2(k_norm1(box.least), k_norm1(box.most));
-        }
-    }
   for (Class class in [self classesToComplete])
     {
       NSMutableArray *instances = [NSMutableArray array];
-      for (object_t *object in objects)
+      for (object_t *object in incomplete)
         {
           if ([object isKindOfClass: class])
             {
@@ -127,31 +147,42 @@ struct surface
         }
       [class complete: instances model: self diag: diag];
     }
-  [self makeTable];
+  [incomplete removeAllObjects];
+  for (object_t *object in surfaces)
+    {
+      if (object->material->alpha != 0 && [object medium] == object)
+        {
+          [clear addObject: object];
+        }
+    }
 }
 
 - (void) replace: (NSArray *)parts by: (object_t *)whole
 {
-  NSUInteger at = [surfaces indexOfObjectIdenticalTo: [parts objectAtIndex: 0]];
+  object_t *first = [parts objectAtIndex: 0];
   // Opaque: GNUstep's table of retained objects retains them twice.
   NSHashTable *gone
     = [NSHashTable hashTableWithOptions: NSPointerFunctionsOpaqueMemory
                                          | NSPointerFunctionsOpaquePersonality];
   NSMutableArray *kept = [NSMutableArray array];
 
-  [surfaces replaceObjectAtIndex: at withObject: whole];
   for (object_t *part in parts)
     {
       [gone addObject: part];
     }
   for (object_t *object in surfaces)
     {
-      if (![gone containsObject: object])
+      if (object == first)
+        {
+          [kept addObject: whole];
+        }
+      else if (![gone containsObject: object])
         {
           [kept addObject: object];
         }
     }
-  [surfaces setArray: kept];
+  [surfaces release];
+  surfaces = [kept retain];
 }
 
 - (NSArray *) surfaces
@@ -166,6 +197,10 @@ struct surface
   struct k_vec o = ray->pos->v;
   uint64_t tests = 0;
 
+  if (__atomic_load_n(&table, __ATOMIC_ACQUIRE) == NULL)
+    {
+      [self makeTable];
+    }
   for (unsigned i = 0; i < surface_count; i++)
     {
       const struct surface *s = &table[i];

@@ -7,7 +7,7 @@
 - (struct record *) begin: (unsigned)kind : (const char *)prefix
                          : (unsigned)number
 {
-  unsigned order = [self orderOf: letter];
+  unsigned order = cursor_order(&text->cursor, letter.at);
   struct token name = [store make: prefix : number];
   struct record *record = [store begin: kind at: order name: name at: order];
   unsigned other = [store enter];
@@ -25,16 +25,19 @@
 - (void) give: (const char *)name : (const struct value *)values
 {
   unsigned kind = store->records[store->record_count - 1].kind;
-  struct token word = { name, strlen(name) };
+  const struct attribute *a = store->kinds[kind].table;
 
-  [store give: attribute_named(store->kinds[kind].table, word)
-           at: values[0].order values: values];
+  while (a->name != name && strcmp(a->name, name) != 0)
+    {
+      a++;
+    }
+  [store give: a at: values[0].order values: values];
 }
 
 - (struct value) valueOf: (struct token)word
 {
   return (struct value){ .word = word.at, .length = (unsigned)word.length,
-                         .order = [self orderOf: letter] };
+                         .order = cursor_order(&text->cursor, letter.at) };
 }
 
 - (const char *) at: (const struct value *)value

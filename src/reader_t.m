@@ -125,18 +125,9 @@
         a->name, [self owner], [self quote: t], reason);
 }
 
-- (enum number_result) number: (struct token)t
-                           for: (const struct attribute *)a
-                          into: (double *)value
-{
-  return attribute_is_whole(a)
-    ? number_read_whole(t.at, t.length, c_locale, value)
-    : number_read(t.at, t.length, c_locale, value);
-}
-
 - (BOOL) readNumbers: (const struct attribute *)a into: (struct value *)values
 {
-  BOOL is_good = YES, is_zero = YES;
+  BOOL is_good = YES, is_zero = YES, is_whole = attribute_is_whole(a);
   const char *first = NULL;
 
   for (unsigned i = 0, n = attribute_values(a); i < n; i++)
@@ -144,7 +135,9 @@
       struct cursor here = text->cursor;
       struct token t = token_next(&text->cursor);
       double *value = &values[i].number;
-      enum number_result result = [self number: t for: a into: value];
+      enum number_result result = is_whole
+        ? number_read_whole(t.at, t.length, c_locale, value)
+        : number_read(t.at, t.length, c_locale, value);
 
       if (result == NUMBER_NONE && (!token_is_word(t) || [self endsValues: t]))
         {
@@ -163,7 +156,7 @@
         }
       first = i == 0 ? t.at : first;
       is_zero = is_zero && *value == 0;
-      values[i].order = [self orderOf: t];
+      values[i].order = cursor_order(&text->cursor, t.at);
     }
   if (is_good && is_zero && a->kind == ATTRIBUTE_VECTOR)
     {

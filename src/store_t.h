@@ -78,7 +78,8 @@ struct record
   unsigned kind_capacity, record_capacity, given_capacity, value_capacity;
   struct name *names;   // hash table of records by kind and name
   unsigned name_count, name_mask;
-  NSMutableArray *made_words;
+  NSMutableArray *made_words;   // pieces of memory
+  char *made;                   // the last of them
   size_t made_length;
   struct token unknown; // the last word that is no kind
 }
@@ -104,6 +105,10 @@ struct record
 /** Notes a name that may have been meant for a block: who asks for it must not
     be told that there is none. */
 - (void) noteName: (struct token)word;
+
+/** Gives back what only names of shapes need, when all is read: none of them
+    is found from now on. */
+- (void) forgetShapes;
 
 /** The record of that kind and name; NO_RECORD if there is none. */
 - (unsigned) find: (unsigned)kind : (struct token)name;

@@ -7,6 +7,7 @@
 #include "grow.h"
 
 #define MADE_WORDS (1 << 16)     // bytes in one block of made words
+#define MOST_DIGITS 10          // of an unsigned number
 
 /** A place in the hash table; record NO_RECORD: empty. */
 struct name
@@ -134,26 +135,31 @@ is_identifier(struct token word)
     }
 }
 
-/** FNV-1a; its bits are mixed once more, as names often differ at their ends
-    only. */
+/** FNV-1a of all but the last character, its bits mixed once more; the last
+    character is the lowest bits. So s10, s11 … s19, which usually come one
+    after the other, are near each other in memory. */
 static unsigned
 hash_of(unsigned kind, struct token name)
 {
   unsigned hash = 2166136261u ^ kind;
 
-  for (size_t i = 0; i < name.length; i++)
+  if (name.length == 0)
+    {
+      return hash;
+    }
+  for (size_t i = 0; i < name.length - 1; i++)
     {
       hash = (hash ^ (unsigned char)name.at[i]) * 16777619u;
     }
   hash = (hash ^ hash >> 16) * 0x85EBCA6Bu;
-  return hash ^ hash >> 13;
+  hash ^= hash >> 13;
+  return hash << 4 | (name.at[name.length - 1] & 15);
 }
 
 /** Where the name is in the table, or where it would be. */
 - (struct name *) slotFor: (unsigned)kind : (struct token)word
+                     hash: (unsigned)hash
 {
-  unsigned hash = hash_of(kind, word);
-
   for (unsigned i = hash & name_mask;; i = (i + 1) & name_mask)
     {
       if (names[i].record == NO_RECORD)
@@ -192,25 +198,45 @@ hash_of(unsigned kind, struct token name)
   NSZoneFree(NULL, old);
 }
 
-- (unsigned) enter
+- (unsigned) enter: (unsigned)number
 {
-  struct record *record = &records[record_count - 1];
+  struct record *record = &records[number];
+  unsigned hash = hash_of(record->kind, record->name);
 
   if (2 * name_count >= name_mask)
     {
       [self growNames];
     }
 
-  struct name *slot = [self slotFor: record->kind : record->name];
+  struct name *slot = [self slotFor: record->kind : record->name hash: hash];
 
   if (slot->record == NO_RECORD)
     {
-      slot->hash = hash_of(record->kind, record->name);
-      slot->record = record_count - 1;
+      slot->hash = hash;
+      slot->record = number;
       name_count++;
       return NO_RECORD;
     }
   return slot->record;
+}
+
+- (unsigned) enter
+{
+  return [self enter: record_count - 1];
+}
+
+- (void) forgetShapes
+{
+  NSZoneFree(NULL, names);
+  names = NULL;
+  name_count = name_mask = 0;
+  for (unsigned i = 0; i < record_count; i++)
+    {
+      if (records[i].kind < KIND_SHAPES && records[i].name.length > 0)
+        {
+          [self enter: i];
+        }
+    }
 }
 
 - (void) noteName: (struct token)word
@@ -221,23 +247,35 @@ hash_of(unsigned kind, struct token name)
 
 - (unsigned) find: (unsigned)kind : (struct token)name
 {
-  return names ? [self slotFor: kind : name]->record : NO_RECORD;
+  return names == NULL ? NO_RECORD
+    : [self slotFor: kind : name hash: hash_of(kind, name)]->record;
 }
 
 - (struct token) make: (const char *)prefix : (unsigned)number
 {
-  size_t most = strlen(prefix) + 16;
+  size_t length = strlen(prefix);
 
-  if (made_length + most > MADE_WORDS)
+  if (made_length + length + MOST_DIGITS > MADE_WORDS)
     {
       [made_words addObject: [NSMutableData dataWithLength: MADE_WORDS]];
+      made = [[made_words lastObject] mutableBytes];
       made_length = 0;
     }
 
-  char *word = (char *)[[made_words lastObject] mutableBytes] + made_length;
-  int length = snprintf(word, most, "%s%u", prefix, number);
+  char *word = made + made_length;
+  unsigned digits = 1;
 
-  made_length += length + 1;
+  for (unsigned rest = number; rest >= 10; rest /= 10)
+    {
+      digits++;
+    }
+  memcpy(word, prefix, length);
+  for (unsigned i = digits; i > 0; i--, number /= 10)
+    {
+      word[length + i - 1] = '0' + number % 10;
+    }
+  length += digits;
+  made_length += length;
   return (struct token){ word, length };
 }
 
