@@ -7,7 +7,7 @@
 #include "kernel/k_bounds.h"
 
 #define BOXES 200
-#define RAYS 12000              // a scene
+#define RAYS (12000 / KERNEL_FEWER)     // a scene
 
 static unsigned long asked[BOXES];      // last ray that each box was asked by
 static unsigned long now;
@@ -97,6 +97,41 @@ aim(struct support_random *random, struct k_vec p, double away,
     }
 }
 
+/** How many boxes stick out of the box that the tree has of their leaf. */
+static unsigned
+outside(const struct k_scene *scene)
+{
+  const struct k_tree *tree = &scene->tree;
+  unsigned outside = 0;
+
+  for (uint32_t i = 0; i < tree->node_count * K_WIDTH; i++)
+    {
+      const struct k_node *node = &tree->nodes[i / K_WIDTH];
+      uint32_t child = node->child[i % K_WIDTH];
+      if (!(child & K_LEAF))
+        {
+          continue;
+        }
+      for (uint32_t k = 0; k <= (child & 7); k++)
+        {
+          struct k_ref ref = tree->refs[((child & ~K_LEAF) >> 3) + k];
+          struct k_bounds box = kernel_box(scene, ref);
+          struct k_vec least = k_scale(k_sub(box.least, tree->center),
+                                       tree->scale);
+          struct k_vec most = k_scale(k_sub(box.most, tree->center),
+                                      tree->scale);
+          for (int axis = 0; axis < 3; axis++)
+            {
+              outside += k_component(least, axis)
+                < node->bounds[axis][i % K_WIDTH]
+                || k_component(most, axis)
+                > node->bounds[axis + 3][i % K_WIDTH];
+            }
+        }
+    }
+  return outside;
+}
+
 /** Boxes about 8 across, moved by `offset` and taken times 2^k, seen from
     `away` times 8. */
 static unsigned
@@ -124,6 +159,7 @@ scene(double offset, int k, double away, uint64_t seed)
       k_scene_free(scene);
       return RAYS;
     }
+  missed += outside(scene);
   for (unsigned i = 0; i < RAYS; i++)
     {
       struct counters counters = { 0 };
@@ -160,7 +196,8 @@ trees(void)
 {
   static const double offsets[] = { 0, 1e6, -1e9 };
   static const int scales[] = { 0, -390, 390, 30 };
-  static const double aways[] = { 1, 1e3, 0x1p20, 0x1p29, 0x1p31, 0x1p35 };
+  static const double aways[] = { 1, 1e3, 0x1p20, 0x1p29, 0x1p31, 0x1p35,
+                                  0x1p80, 0x1p150 };
   uint64_t seed = 0;
 
   for (int i = 0; i < 3; i++)
@@ -168,7 +205,7 @@ trees(void)
       for (int j = 0; j < 4; j++)
         {
           unsigned missed = 0;
-          for (int a = 0; a < 6; a++)
+          for (int a = 0; a < 8; a++)
             {
               missed += scene(offsets[i], scales[j], aways[a], seed++);
             }

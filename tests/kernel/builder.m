@@ -31,7 +31,12 @@ enum k_status plain_bvh_build(struct k_tree *tree, struct k_item *items,
 #include "kernel/k_bvh_cut.c"
 #undef k_bvh_build
 
+// Fewer in a build that is not optimised.
+#if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__)
 #define MOST 100000
+#else
+#define MOST 20000
+#endif
 
 enum boxes
 {

@@ -93,7 +93,7 @@ main(void)
                     0);
       struct k_settings settings = { .threads = 1 };
       k_scene_finish(scene, settings);
-      for (unsigned i = 0; i < 5000; i++)
+      for (unsigned i = 0; i < 5000 / KERNEL_FEWER; i++)
         {
           struct k_vec o, d;
           aim(&p, i, &random, &o, &d);

@@ -7,6 +7,13 @@
 
 #import "support.h"
 
+/** How many times fewer rays there are in a build that is not optimised. */
+#if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__)
+#define KERNEL_FEWER 1
+#else
+#define KERNEL_FEWER 10
+#endif
+
 // Without the instruction sets the operations of k_simd.h are plain C: what a
 // machine gets that is not an x86-64.
 #undef __AVX2__

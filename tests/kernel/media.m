@@ -55,7 +55,7 @@ text(uint64_t seed)
     }
   for (int i = 0; i < 2; i++)
     {
-      char name[8];
+      char name[16];
       struct k_vec p = somewhere(&random);
       double r = support_between(&random, 0.3, 1);
       snprintf(name, sizeof name, "b%d", i);

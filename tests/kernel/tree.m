@@ -40,6 +40,14 @@ enum kind
 static const char *kind_names[] = { "spheres", "triangles",
                                     "concave polygons", "mixed shapes" };
 
+// The sanitizers look at memory and at undefined operations, for which a part
+// of the rays is enough.
+#ifdef __SANITIZE_ADDRESS__
+#define FEWER 10
+#else
+#define FEWER 1
+#endif
+
 #define SIZE 4.0                // all scenes fill about [-4, 4]^3
 
 /** Then that is moved by `offset` and taken times 2^k. */
@@ -457,6 +465,9 @@ scene(enum kind kind, unsigned n, unsigned rays, unsigned aimed,
   model_t *model = scene_of(kind, n, n + kind);
   fast_t *fast = (fast_t *)support_fast(model, nil);
   struct tally random_tally = { 0 }, aimed_tally = { 0 };
+
+  rays /= KERNEL_FEWER;
+  aimed /= KERNEL_FEWER;
   unsigned every = 1 + rays / 2000;
 
   for (unsigned i = 0; i < rays + aimed; i++)
@@ -520,8 +531,9 @@ main(void)
   for (int kind = SPHERES; kind <= MIXED; kind++)
     {
       struct where here = { 0, 0, 2 };
-      scene(kind, 80, 230000, 23000, here);
-      scene(kind, kind == MIXED ? 1000 : 2000, 20000, 2000, here);
+      scene(kind, 80, 230000 / FEWER, 23000 / FEWER, here);
+      scene(kind, kind == MIXED ? 1000 : 2000, 20000 / FEWER, 2000 / FEWER,
+            here);
       for (unsigned i = 0; i < sizeof places / sizeof *places; i++)
         {
           scene(kind, 80, 0, 4000, places[i]);
