@@ -24,6 +24,8 @@
   struct record *record;        // the one that is shown
   const struct attribute *table;
   NSString *keyword, *name;     // of that, when they have been asked for
+  const char *last_attribute;   // what was looked up last, where it was and
+  unsigned last_occurrence, last_place; // which time it was given
 }
 
 /** A view of the store's blocks; show: chooses one. `materials` has an item

@@ -31,6 +31,7 @@
   record = &store->records[number];
   table = store->kinds[record->kind].table;
   is_refused = NO;
+  last_attribute = NULL;
   [keyword release];
   [name release];
   keyword = name = nil;
@@ -70,19 +71,30 @@ new_name(struct token name)
   return name;
 }
 
-/** The i-th occurrence of an attribute in a block, or NULL. */
+/** The i-th occurrence of an attribute in a block, or NULL. Asked for one after
+    the other they are found one after the other. */
 static const struct given *
-find_given(const block_t *block, const char *attribute, unsigned i)
+find_given(block_t *block, const char *attribute, unsigned i)
 {
   const struct record *record = block->record;
-  const struct given *given = &block->store->givens[record->given];
+  const struct given *givens = &block->store->givens[record->given];
+  unsigned k = 0, seen = 0;
 
-  for (unsigned k = 0; k < record->given_count; k++, given++)
+  if (attribute == block->last_attribute && i >= block->last_occurrence)
     {
-      const char *other = block->table[given->attribute].name;
-      if ((other == attribute || strcmp(other, attribute) == 0) && i-- == 0)
+      k = block->last_place;
+      seen = block->last_occurrence;
+    }
+  for (; k < record->given_count; k++)
+    {
+      const char *other = block->table[givens[k].attribute].name;
+      if ((other == attribute || strcmp(other, attribute) == 0)
+          && seen++ == i)
         {
-          return given;
+          block->last_attribute = attribute;
+          block->last_occurrence = i;
+          block->last_place = k;
+          return &givens[k];
         }
     }
   return NULL;

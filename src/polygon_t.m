@@ -79,9 +79,9 @@
 - (void) checkPlanarity: (block_t *)block
 {
   double extent = k_bounds_extent(box), worst = 0;
-  unsigned worst_vertex = 0;
+  unsigned given = [block count: "vertex"], worst_vertex = 0;
 
-  for (unsigned i = 0; i < [block count: "vertex"]; i++)
+  for (unsigned i = 0; i < given; i++)
     {
       struct k_vec v = [block vector: "vertex" at: i];
       double off = fabs(k_dot(plane.n, k_sub(v, plane.q)));
