@@ -6,18 +6,19 @@ struct entry
   flat_t *flat;
   struct k_bounds box;
   double extent;
+  double least, most;   // of the box, along the axis of the sweep
   struct k_plane plane; // its own, before any is shared
   struct entry *better; // whose plane it takes over, or NULL
 };
 
 static int
-by_least_x(const void *a, const void *b)
+by_least(const void *a, const void *b)
 {
   const struct entry *p = a, *q = b;
 
-  if (p->box.least.x != q->box.least.x)
+  if (p->least != q->least)
     {
-      return p->box.least.x < q->box.least.x ? -1 : 1;
+      return p->least < q->least ? -1 : 1;
     }
   return p->flat->number < q->flat->number ? -1 : 1;
 }
@@ -32,7 +33,8 @@ is_better(const struct entry *a, const struct entry *b)
 static BOOL
 overlap(const struct k_bounds *a, const struct k_bounds *b)
 {
-  return a->least.y <= b->most.y && b->least.y <= a->most.y
+  return a->least.x <= b->most.x && b->least.x <= a->most.x
+    && a->least.y <= b->most.y && b->least.y <= a->most.y
     && a->least.z <= b->most.z && b->least.z <= a->most.z;
 }
 
@@ -51,6 +53,38 @@ compare(struct entry *a, struct entry *b)
     }
 }
 
+/** The axis along which the boxes overlap least: where they are narrowest
+    against all of them together. Unbounded ones do not count. */
+static int
+sweep_axis(const struct entry *entries, NSUInteger count)
+{
+  struct k_bounds all = k_nothing();
+  struct k_vec widths = k_vec(0, 0, 0);
+  int best = 0;
+  double best_share = HUGE_VAL;
+
+  for (NSUInteger i = 0; i < count; i++)
+    {
+      struct k_bounds b = entries[i].box;
+      if (!k_is_unbounded(b))
+        {
+          all = k_bounds_include(k_bounds_include(all, b.least), b.most);
+          widths = k_add(widths, k_sub(b.most, b.least));
+        }
+    }
+  for (int axis = 0; axis < 3; axis++)
+    {
+      double share = k_component(widths, axis)
+        / k_component(k_sub(all.most, all.least), axis);
+      if (share < best_share)
+        {
+          best_share = share;
+          best = axis;
+        }
+    }
+  return best;
+}
+
 @implementation flat_t
 
 - (BOOL) liesIn: (const struct k_plane *)other
@@ -66,8 +100,8 @@ compare(struct entry *a, struct entry *b)
 }
 
 /** Objects that overlap and lie in one plane get that plane to share: each
-    takes over the plane of the largest one. A sweep along x finds the
-    pairs. */
+    takes over the plane of the largest one. A sweep along one axis finds
+    the pairs. */
 + (void) complete: (NSArray *)instances
             model: (model_t *)model
              diag: (diag_t *)diag
@@ -84,13 +118,19 @@ compare(struct entry *a, struct entry *b)
       entries[i].extent = [flat extent];
       entries[i].plane = flat->plane;
     }
-  qsort(entries, count, sizeof *entries, by_least_x);
+  int axis = sweep_axis(entries, count);
+  for (NSUInteger i = 0; i < count; i++)
+    {
+      entries[i].least = k_component(entries[i].box.least, axis);
+      entries[i].most = k_component(entries[i].box.most, axis);
+    }
+  qsort(entries, count, sizeof *entries, by_least);
   for (NSUInteger i = 0; i < count; i++)
     {
       NSUInteger kept = 0;
       for (NSUInteger j = 0; j < active; j++)
         {
-          if (open[j]->box.most.x >= entries[i].box.least.x)
+          if (open[j]->most >= entries[i].least)
             {
               if (overlap(&open[j]->box, &entries[i].box))
                 {
