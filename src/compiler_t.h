@@ -10,6 +10,7 @@
   struct k_scene *scene;        // where shapes add themselves
 @protected
   NSMapTable *materials, *media;        // numbers from 1, by object
+  NSMutableArray *mediumObjects;        // the media, by number - 1
 }
 
 - (id) initWithScene: (struct k_scene *)aScene;
@@ -19,6 +20,9 @@
 
 /** The kernel's number for what [object medium] is; 0 for nil. */
 - (unsigned) mediumOf: (object_t *)object;
+
+/** What has that number. */
+- (object_t *) mediumNumbered: (unsigned)number;
 
 @end
 

@@ -21,6 +21,7 @@
                                    NSIntegerMapValueCallBacks, 0);
       media = NSCreateMapTable(NSNonOwnedPointerMapKeyCallBacks,
                                NSIntegerMapValueCallBacks, 0);
+      mediumObjects = [[NSMutableArray alloc] init];
     }
   return self;
 }
@@ -29,6 +30,7 @@
 {
   NSFreeMapTable(materials);
   NSFreeMapTable(media);
+  [mediumObjects release];
   [super dealloc];
 }
 
@@ -57,8 +59,14 @@
       number = k_add_medium(scene,
                             !k_is_unbounded([(id <object_t>)medium bounds]));
       NSMapInsert(media, medium, (void *)number);
+      [mediumObjects addObject: medium];
     }
   return number;
+}
+
+- (object_t *) mediumNumbered: (unsigned)number
+{
+  return [mediumObjects objectAtIndex: number - 1];
 }
 
 - (struct k_surface) surfaceOf: (object_t *)object

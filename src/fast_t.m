@@ -14,13 +14,25 @@ struct user
 {
   object_t *object;
   NSArray *objects;     // of the model, by number - 1
+  compiler_t *compiler;
 };
+
+/** The kernel's media as objects (autoreleased). */
+static media_t *
+media_of(const struct k_media *media, compiler_t *compiler)
+{
+  return media == NULL ? nil
+    : [media_t enter: [compiler mediumNumbered: media->medium] : media->ior
+                over: media_of(media->below, compiler)];
+}
 
 /** Asks it through a ray_t that is as far as the kernel's ray. */
 static void
 ask_object(void *shape, const struct k_surface *s, struct k_ray *ray)
 {
   const struct user *user = shape;
+  NSAutoreleasePool *pool = ray->media ? [[NSAutoreleasePool alloc] init]
+    : nil;
   vec_t *pos = [[vec_t alloc] initWithValue: ray->o];
   vec_t *dir = [[vec_t alloc] initWithValue: ray->d];
   ray_t *twin = [(ray_t *)[ray_t alloc] init: pos : dir];
@@ -40,6 +52,7 @@ ask_object(void *shape, const struct k_surface *s, struct k_ray *ray)
   twin->is_feeler = ray->is_feeler;
   twin->end = ray->end;
   twin->end_slack = ray->end_slack;
+  twin->media = [media_of(ray->media, user->compiler) retain];
   [(id <object_t>)user->object hits: twin];
   if (twin->hit.object == user->object)
     {
@@ -52,6 +65,7 @@ ask_object(void *shape, const struct k_surface *s, struct k_ray *ray)
   [twin release];
   [dir release];
   [pos release];
+  [pool release];
 }
 
 static BOOL
@@ -80,6 +94,7 @@ overlap(const struct k_bounds *a, const struct k_bounds *b)
 
   user->object = object;
   user->objects = model->objects;
+  user->compiler = compiler;
   k_add_user(scene, [compiler surfaceOf: object], shape);
 }
 

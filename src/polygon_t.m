@@ -94,8 +94,8 @@
   if (worst > 1e-4 * extent)
     {
       [block fault: [block placeOf: "vertex" at: worst_vertex]
-                  : @"polygon '%@' is not planar: this vertex is %.3g off the"
-        @" plane of the others, more than 1e-4 of the polygon's extent %.6g",
+                  : @"polygon '%@' is not planar: this vertex is %.3g off its"
+        @" plane, more than 1e-4 of the polygon's extent %.6g",
              name, worst, extent];
     }
   else if (worst > 0x1p-20 * extent)
@@ -258,9 +258,9 @@
 - (BOOL) compile: (compiler_t *)compiler
 {
   const double *const v[3] = { vertex[0], vertex[1], vertex[2] };
-  struct k_surface s = [compiler surfaceOf: self];
 
-  k_add_polygon(compiler->scene, s, plane, newell, count, v, test, s.medium);
+  k_add_polygon(compiler->scene, [compiler surfaceOf: self], plane, newell,
+                count, v, test);
   return YES;
 }
 

@@ -13,7 +13,8 @@ struct shell_face
   const double *const *vertex;
   // found by shells_close:
   unsigned shell;       // which connected part the face belongs to, from 0
-  int is_turned;        // its vertex order is against that of face 0's part
+  int is_turned;        // its vertices go round the other way: turn it, and
+                        // its right-handed normal points out of the volume
 };
 
 /** An edge that is not shared as it has to be. */

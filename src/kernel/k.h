@@ -71,11 +71,11 @@ void k_add_sphere(struct k_scene *scene, struct k_surface s,
 void k_add_plane(struct k_scene *scene, struct k_surface s,
                  struct k_plane plane);
 
-/** A polygon; test as in model_t's enum polygon_test; `solid` is the medium of
-    the clear solid it is a face of when that is not clipped, else 0. */
+/** A polygon; test as in model_t's enum polygon_test. With a medium it is a
+    face of a clear solid that is not clipped. */
 void k_add_polygon(struct k_scene *scene, struct k_surface s,
                    struct k_plane plane, struct k_vec newell, unsigned n,
-                   const double *const vertex[3], int test, unsigned solid);
+                   const double *const vertex[3], int test);
 
 /** A clear convex solid of n faces. */
 void k_add_convex(struct k_scene *scene, unsigned n,

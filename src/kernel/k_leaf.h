@@ -167,7 +167,7 @@ k_media_has(const struct k_media *media, unsigned medium)
 static inline void
 k_face_ask(const struct k_polygon *face, struct k_ray *ray)
 {
-  int is_inside = k_media_has(ray->media, face->solid);
+  int is_inside = k_media_has(ray->media, face->s.medium);
   double t;
 
   if (ray->from == &face->s
@@ -196,7 +196,7 @@ k_polygon_ask(const struct k_polygon *polygon, struct k_ray *ray)
 {
   double t;
 
-  if (polygon->solid)
+  if (polygon->s.medium)
     {
       k_face_ask(polygon, ray);
     }

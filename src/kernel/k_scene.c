@@ -137,7 +137,7 @@ k_add_plane(struct k_scene *scene, struct k_surface s, struct k_plane plane)
 void
 k_add_polygon(struct k_scene *scene, struct k_surface s,
               struct k_plane plane, struct k_vec newell, unsigned n,
-              const double *const vertex[3], int test, unsigned solid)
+              const double *const vertex[3], int test)
 {
   struct k_polygon *polygon = ONE_MORE(scene, polygons, polygon);
   double **vertices = ONE_MORE(scene, vertices, vertices);
@@ -168,7 +168,6 @@ k_add_polygon(struct k_scene *scene, struct k_surface s,
   polygon->newell = newell;
   polygon->n = n;
   polygon->test = test;
-  polygon->solid = solid;
   polygon->s = s;
 }
 

@@ -25,7 +25,6 @@ struct k_polygon
   const double *vertex[3];      // into k_scene.vertices
   unsigned n;
   int test;
-  unsigned solid;
   struct k_surface s;
 };
 

@@ -1,5 +1,7 @@
-// k_simd.h - eight floats at once, in the few operations that the tree needs.
-// On AVX2 one register, on other x86-64 two, elsewhere an array.
+// k_simd.h - several numbers at once, in the few operations that are needed:
+// four floats for building the tree, four doubles for polygons, eight floats
+// for the search. On AVX2 one register, on other x86-64 up to two, elsewhere an
+// array.
 // f8_max(a, acc) and f8_min(a, acc) give acc when a is not a number.
 
 #ifndef K_SIMD_H

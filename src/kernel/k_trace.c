@@ -180,7 +180,7 @@ sees(const struct k_scene *scene, const struct k_ray *ray,
     {
       return 0;
     }
-  spawn(scene, &feeler, ray, *L, 0, NULL);
+  spawn(scene, &feeler, ray, *L, 0, ray->media);
   feeler.is_feeler = 1;
   feeler.end = r;
   feeler.end_slack = 16 * K_U * (k_norm1(feeler.o)

@@ -89,8 +89,7 @@ main(void)
       // The polygon's plane is moved away, so that its distance plays no part.
       struct k_plane plane = { { 0, 0, 1 }, { 0, 0, 0 } };
       k_add_material(scene, &material);
-      k_add_polygon(scene, s, plane, plane.n, n, p.vertex, POLYGON_CROSSINGS,
-                    0);
+      k_add_polygon(scene, s, plane, plane.n, n, p.vertex, POLYGON_CROSSINGS);
       struct k_settings settings = { .threads = 1 };
       k_scene_finish(scene, settings);
       for (unsigned i = 0; i < 5000 / KERNEL_FEWER; i++)
