@@ -1,5 +1,4 @@
 #import "fast_t.h"
-#import "camera_t.h"
 #import "compiler_t.h"
 #import "errors.h"
 #import "light_t.h"
@@ -68,22 +67,6 @@ ask_object(void *shape, const struct k_surface *s, struct k_ray *ray)
   [pool release];
 }
 
-static BOOL
-holds(const struct k_bounds *box, struct k_vec p)
-{
-  return box->least.x <= p.x && p.x <= box->most.x
-    && box->least.y <= p.y && p.y <= box->most.y
-    && box->least.z <= p.z && p.z <= box->most.z;
-}
-
-static BOOL
-overlap(const struct k_bounds *a, const struct k_bounds *b)
-{
-  return a->least.x <= b->most.x && b->least.x <= a->most.x
-    && a->least.y <= b->most.y && b->least.y <= a->most.y
-    && a->least.z <= b->most.z && b->least.z <= a->most.z;
-}
-
 @implementation fast_t
 
 - (void) addUser: (object_t *)object
@@ -98,16 +81,6 @@ overlap(const struct k_bounds *a, const struct k_bounds *b)
   k_add_user(scene, [compiler surfaceOf: object], shape);
 }
 
-- (void) addClear: (struct k_bounds)box
-{
-  clear[clear_count++] = box;
-  if (overlap(&box, &lens))
-    {
-      clear[clear_count - 1] = clear[clear_at_lens];
-      clear[clear_at_lens++] = box;
-    }
-}
-
 - (id) initWithModel: (model_t *)aModel instructions: (NSString *)instructions
             threads: (unsigned)threads
                error: (NSError **)error
@@ -118,11 +91,9 @@ overlap(const struct k_bounds *a, const struct k_bounds *b)
       NSUInteger count = [surfaces count];
 
       model = [aModel retain];
-      lens = [model->camera lensBox];
       scene = k_scene_new();
       users = calloc(count + 1, sizeof *users);
-      clear = calloc(count + 1, sizeof *clear);
-      if (scene && users && clear)
+      if (scene && users)
         {
           compiler = [[compiler_t alloc] initWithScene: scene];
           for (object_t *object in surfaces)
@@ -130,10 +101,6 @@ overlap(const struct k_bounds *a, const struct k_bounds *b)
               if (![object compile: compiler])
                 {
                   [self addUser: object];
-                }
-              if (object->material->alpha > 0 && [object medium] == object)
-                {
-                  [self addClear: [(id <object_t>)object bounds]];
                 }
             }
           for (light_t *l in model->lights)
@@ -170,7 +137,6 @@ overlap(const struct k_bounds *a, const struct k_bounds *b)
 {
   k_scene_free(scene);
   free(users);
-  free(clear);
   [compiler release];
   [model release];
   [super dealloc];
@@ -189,21 +155,6 @@ overlap(const struct k_bounds *a, const struct k_bounds *b)
       room->below = media->below ? room + 1 : NULL;
     }
   return room == first ? NULL : first;
-}
-
-/** Whether a ray from o starts in the box of something clear. */
-- (BOOL) mayStartInside: (struct k_vec)o
-{
-  unsigned count = holds(&lens, o) ? clear_at_lens : clear_count;
-
-  for (unsigned i = 0; i < count; i++)
-    {
-      if (holds(&clear[i], o))
-        {
-          return YES;
-        }
-    }
-  return NO;
 }
 
 /** The media an eye ray starts in. */
@@ -232,7 +183,7 @@ depth_of(media_t *media)
 - (struct k_vec) colorAt: (struct k_vec)o : (struct k_vec)d
                 counters: (struct counters *)counters
 {
-  if (![self mayStartInside: o])
+  if (![model mayStartInside: o])
     {
       return k_trace(scene, o, d, NULL, counters);
     }
@@ -248,7 +199,7 @@ depth_of(media_t *media)
 - (struct surface_pixel) surfaceAt: (struct k_vec)o : (struct k_vec)d
 {
   NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
-  media_t *start = [self mayStartInside: o] ? [self startOf: o : d] : nil;
+  media_t *start = [model mayStartInside: o] ? [self startOf: o : d] : nil;
   struct k_media room[depth_of(start) + 1];
   struct k_surface_hit hit = k_first_hit(scene, o, d,
                                          [self mediaOf: start into: room]);
