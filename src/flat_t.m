@@ -1,5 +1,6 @@
 #import "flat_t.h"
 #include "box_pairs.h"
+#include "grow.h"
 
 struct entry
 {
@@ -53,8 +54,8 @@ compare(void *context, unsigned i, unsigned j)
              diag: (diag_t *)diag
 {
   NSUInteger count = [instances count], i = 0;
-  struct entry *entries = calloc(count, sizeof *entries);
-  struct k_bounds *boxes = calloc(count, sizeof *boxes);
+  struct entry *entries = new_array(count, sizeof *entries);
+  struct k_bounds *boxes = new_array(count, sizeof *boxes);
 
   for (flat_t *flat in instances)
     {
@@ -64,7 +65,10 @@ compare(void *context, unsigned i, unsigned j)
       entries[i].plane = flat->plane;
       i++;
     }
-  box_pairs(boxes, count, compare, entries);
+  if (!box_pairs(boxes, count, compare, entries))
+    {
+      raise_no_memory(count);
+    }
   for (i = 0; i < count; i++)
     {
       struct entry *best = &entries[i];

@@ -51,9 +51,9 @@ made_finite(double c, NSUInteger *nanCount)
       if (error)
         {
           *error = error_saying(STATUS_FILE, @"not enough memory for %u x %u "
-                                @"pixels: they take %.0f bytes, this machine "
-                                @"has %.0f", [self width], [self height],
-                                needed, memory);
+                                @"pixels: they take %.0f bytes, and the program "
+                                @"may have %.0f in all",
+                                [self width], [self height], needed, memory);
         }
       [self release];
       return nil;

@@ -5,7 +5,8 @@
 /** How many cores this process may run on. */
 unsigned machine_cores(void);
 
-/** Bytes of memory in the machine. */
+/** Bytes of memory that the program may have: all of the machine's, or less if
+    there is a limit (ulimit -v). */
 double machine_memory(void);
 
 /** The folders of the program's own models, installed or in the source tree

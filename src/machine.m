@@ -4,6 +4,7 @@
 #import "machine.h"
 #include <limits.h>
 #include <sched.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 unsigned
@@ -18,7 +19,15 @@ machine_cores(void)
 double
 machine_memory(void)
 {
-  return (double)sysconf(_SC_PHYS_PAGES) * sysconf(_SC_PAGESIZE);
+  double memory = (double)sysconf(_SC_PHYS_PAGES) * sysconf(_SC_PAGESIZE);
+  struct rlimit limit;
+
+  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY
+      && (double)limit.rlim_cur < memory)
+    {
+      memory = limit.rlim_cur;
+    }
+  return memory;
 }
 
 NSArray *

@@ -4,6 +4,7 @@
 #import "diag_t.h"
 #import "ray_t.h"
 #import "solid_t.h"
+#include "grow.h"
 #include "kernel/k_polygon_hit.h"
 
 @implementation polygon_t
@@ -29,7 +30,7 @@
 
   for (int axis = 0; axis < 3; axis++)
     {
-      vertex[axis] = malloc(given * sizeof(double));
+      vertex[axis] = new_array(given, sizeof(double));
     }
   box = k_nothing();
   for (unsigned i = 0; i < given; i++)

@@ -4,6 +4,7 @@
 #import "material_t.h"
 #import "open_solids_t.h"
 #import "polygon_t.h"
+#include "grow.h"
 #include "shell.h"
 
 // Clipping asks every face of a convex solid; past this many it is no faster
@@ -31,7 +32,7 @@
 
 + (struct shell_face *) newShellFaces: (NSArray *)polygons
 {
-  struct shell_face *f = calloc([polygons count], sizeof *f), *next = f;
+  struct shell_face *f = new_array([polygons count], sizeof *f), *next = f;
 
   for (polygon_t *face in polygons)
     {
@@ -50,6 +51,10 @@
   struct shell_edge open;
   int shells = shells_close(f, count, &open);
 
+  if (shells < 0)
+    {
+      raise_no_memory(count);
+    }
   for (i = 0; i < count; i++)
     {
       if (shells > 0 && f[i].is_turned)
