@@ -162,23 +162,25 @@ spacings(unsigned n)
 }
 
 /** The unit direction from the viewpoint through a place in the window. */
-- (struct k_vec) directionOf: (struct sample)s
+static inline struct k_vec
+direction_of(const camera_t *self, struct sample s)
 {
+  unsigned columns = self->columns, rows = self->rows;
   // Column and row counted from the first one, in spacings; the middle of a
   // window with only one.
   double i = (columns == 1 ? 0.5 : s.column) + s.right;
   double j = (rows == 1 ? 0.5 : s.row) + s.up;
 
-  if (is_lookat)
+  if (self->is_lookat)
     {
-      double pixel = height / spacings(rows);
+      double pixel = self->height / spacings(rows);
       double x = (i - spacings(columns) / 2) * pixel;
       double y = (j - spacings(rows) / 2) * pixel;
-      return k_unit(k_add(ahead, k_add(k_scale(right, x), k_scale(up, y))));
+      return k_unit(k_add(self->ahead, k_add(k_scale(self->right, x), k_scale(self->up, y))));
     }
-  struct k_vec point = k_vec(width * i / spacings(columns),
-                             height * j / spacings(rows), 0);
-  return k_unit(k_sub(point, viewpoint));
+  struct k_vec point = k_vec(self->width * i / spacings(columns),
+                             self->height * j / spacings(rows), 0);
+  return k_unit(k_sub(point, self->viewpoint));
 }
 
 /** The point of the unit disc for a point of the square [-1, 1]^2: squares
@@ -221,7 +223,7 @@ disc_from_square(double *u, double *v)
                 pos: (struct k_vec *)pos dir: (struct k_vec *)dir
 {
   *pos = viewpoint;
-  *dir = [self directionOf: sample];
+  *dir = direction_of(self, sample);
 }
 
 /** Notes: du, dv move the starting point, and the direction focus * dir back
@@ -229,7 +231,8 @@ disc_from_square(double *u, double *v)
 - (void) ray: (struct sample)sample
          pos: (struct k_vec *)pos dir: (struct k_vec *)dir
 {
-  [self centralRay: sample pos: pos dir: dir];
+  *pos = viewpoint;
+  *dir = direction_of(self, sample);
   if (has_lens)
     {
       double u = sample.u, v = sample.v;

@@ -103,9 +103,20 @@ made_finite(double c, NSUInteger *nanCount)
   return nanCount;
 }
 
+static inline uint8_t
+byte_of(double c)
+{
+  if (!(c > 0 && c < 1))
+    {
+      return c > 0 ? 255 : 0;
+    }
+  int whole = 255 * c;
+  return whole + (255 * c - whole >= 0.5);
+}
+
 + (uint8_t) byte: (double)c
 {
-  return c > 0 ? c < 1 ? round(255 * c) : 255 : 0;
+  return byte_of(c);
 }
 
 - (NSData *) bytes
@@ -116,9 +127,9 @@ made_finite(double c, NSUInteger *nanCount)
 
   for (size_t i = 0; i < count; i++)
     {
-      *byte++ = [image_t byte: pixels[i].color.x];
-      *byte++ = [image_t byte: pixels[i].color.y];
-      *byte++ = [image_t byte: pixels[i].color.z];
+      *byte++ = byte_of(pixels[i].color.x);
+      *byte++ = byte_of(pixels[i].color.y);
+      *byte++ = byte_of(pixels[i].color.z);
     }
   return data;
 }

@@ -4,6 +4,7 @@
 #ifndef K_LEAF_H
 #define K_LEAF_H
 
+#include "k_media.h"
 #include "k_polygon_hit.h"
 #include "k_scene.h"
 #include "k_simd.h"
@@ -151,16 +152,6 @@ k_polygon_plane_hit(const struct k_polygon *polygon, const struct k_ray *ray,
     && (polygon->test != 0
         || k_polygon_settle(&polygon->plane, ray->o, ray->d, ray->inverse,
                             polygon->n, polygon->vertex, t));
-}
-
-static inline int
-k_media_has(const struct k_media *media, unsigned medium)
-{
-  while (media && media->medium != medium)
-    {
-      media = media->below;
-    }
-  return media != NULL;
 }
 
 /** A face of a clear solid that is not convex: -[solid_t search:isInside:]. */

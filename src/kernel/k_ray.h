@@ -29,6 +29,7 @@ struct k_hit
 struct k_ray
 {
   struct k_vec o, d, inverse;
+  double dis;                   // of the path before o
   struct k_shear shear;
   const struct k_surface *from; // the surface it starts on, or NULL
   int starts_inside;
@@ -54,6 +55,7 @@ k_ray_start(struct k_ray *ray, struct k_vec o, struct k_vec d,
     {
       ray->shear = k_shear(d);
     }
+  ray->dis = 0;
   ray->from = NULL;
   ray->starts_inside = 0;
   ray->slack = 0;

@@ -117,11 +117,20 @@ struct k_scene
   const struct k_isa *isa;
 };
 
-/** What an instruction set provides. */
+#define K_MANY EYE_RAYS         // rays that are traced together, at most
+
+/** What an instruction set provides: the search for one ray, the colours of
+    up to K_MANY eye rays, and what one of them hits. */
 struct k_isa
 {
   const char *name;
   void (*closest)(const struct k_scene *scene, struct k_ray *ray);
+  void (*trace)(const struct k_scene *scene, struct eye_ray *rays, unsigned n,
+                const struct k_media *const *media,
+                struct counters *counters);
+  struct k_surface_hit (*first_hit)(const struct k_scene *scene,
+                                    struct k_vec o, struct k_vec d,
+                                    const struct k_media *media);
 };
 
 /** Makes scene->tree of everything with a box. */

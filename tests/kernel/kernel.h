@@ -18,10 +18,10 @@
 // machine gets that is not an x86-64.
 #undef __AVX2__
 #undef __SSE2__
+#define K_ISA kernel_plain
+#define K_ISA_NAME "plain C"
 #define K_CLOSEST closest_plain
-#include "kernel/k_bvh_trace.inc.c"
-
-static const struct k_isa kernel_plain = { "plain C", closest_plain };
+#include "kernel/k_trace.inc.c"
 
 /** The instruction sets of this machine and plain C; how many. */
 static inline unsigned

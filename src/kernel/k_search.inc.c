@@ -1,5 +1,5 @@
-// k_bvh_trace.inc.c - the search through the tree, compiled once for each
-// instruction set by the k_bvh_trace_*.c, which name it.
+// k_search.inc.c - one ray's search through the tree, compiled once for each
+// instruction set by the k_isa_*.c, which name it.
 //
 // The boxes are tested in floats, which only decides what is asked; the shapes
 // are asked in doubles, which decides the picture. So the test must never say
@@ -21,6 +21,13 @@
 
 // A reciprocal is never taken larger: so flat a ray leaves no box sideways.
 #define STEEP 0x1p60f
+
+/** Beyond what a ray is interested in, in the tree's coordinates. */
+static inline float
+k_reach_float(const struct k_scene *scene, const struct k_ray *ray)
+{
+  return (float)(k_ray_reach(ray) * scene->tree.scale) * 0x1.000002p0f;
+}
 
 struct k_float_ray
 {
@@ -151,14 +158,14 @@ k_any_first(const struct k_node *node, unsigned hits, struct entry **top)
   return node->child[i];
 }
 
+/** Asks what is below a node of the tree. */
 static void
-k_tree_ask(const struct k_scene *scene, struct k_ray *ray)
+k_tree_ask(const struct k_scene *scene, struct k_ray *ray, uint32_t at)
 {
   const struct k_tree *tree = &scene->tree;
   struct k_float_ray f;
   struct entry stack[STACK], *top = stack;
-  uint32_t at = 0;              // the root
-  float t_most = k_float_above(k_ray_reach(ray) * tree->scale);
+  float t_most = k_reach_float(scene, ray);
   struct k_vec o = k_scale(k_sub(ray->o, tree->center), tree->scale);
 
   if (!(k_norm_max(o) < FAR))
@@ -177,7 +184,7 @@ k_tree_ask(const struct k_scene *scene, struct k_ray *ray)
             {
               return;
             }
-          t_most = k_float_above(k_ray_reach(ray) * tree->scale);
+          t_most = k_reach_float(scene, ray);
         }
       else
         {
@@ -204,8 +211,9 @@ k_tree_ask(const struct k_scene *scene, struct k_ray *ray)
     }
 }
 
-static void
-K_CLOSEST(const struct k_scene *scene, struct k_ray *ray)
+/** Asks what is not in the tree. */
+static inline void
+k_ask_unbounded(const struct k_scene *scene, struct k_ray *ray)
 {
   for (uint32_t i = 0; i < scene->plane_count; i++)
     {
@@ -219,8 +227,14 @@ K_CLOSEST(const struct k_scene *scene, struct k_ray *ray)
       ray->counters->tests++;
       k_ref_ask(scene, user, ray);
     }
+}
+
+static void
+K_CLOSEST(const struct k_scene *scene, struct k_ray *ray)
+{
+  k_ask_unbounded(scene, ray);
   if (scene->tree.nodes && !(ray->is_feeler && ray->hit.surface))
     {
-      k_tree_ask(scene, ray);
+      k_tree_ask(scene, ray, 0);
     }
 }
