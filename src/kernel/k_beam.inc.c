@@ -12,7 +12,7 @@
 #define FEW 3
 
 // So many rays that are left in a box go on alone.
-#define ALONE 2
+#define ALONE 3
 
 // A shaft is made of rays that run along one axis by this much at least: their
 // slopes against it are then less than 4.

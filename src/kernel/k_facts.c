@@ -62,7 +62,10 @@ bytes_of(const struct k_scene *scene)
 
   for (uint32_t i = 0; i < scene->polygon_count; i++)
     {
-      bytes += 3 * (scene->polygons[i].n + 5) * sizeof(double);
+      const struct k_polygon *p = &scene->polygons[i];
+      bytes += 3 * (p->n + 5) * sizeof(double);
+      bytes += p->grid ? sizeof *p->grid + p->grid->side * p->grid->side / 4
+        : 0;
     }
   return bytes;
 }

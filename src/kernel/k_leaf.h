@@ -138,6 +138,15 @@ k_polygon_holds(const struct k_polygon *polygon, const struct k_ray *ray,
       return k_polygon_angles(k_along(ray->o, t, ray->d), polygon->newell,
                               polygon->n, polygon->vertex);
     default:
+      if (polygon->grid)
+        {
+          enum k_cell cell = k_polygon_grid_at(polygon->grid, &polygon->plane,
+                                               ray->o, ray->d, t);
+          if (cell != K_CELL_MIXED)
+            {
+              return cell == K_CELL_IN;
+            }
+        }
       return k_polygon_crossings_4(ray->o, &ray->shear, polygon->n,
                                    polygon->vertex);
     }

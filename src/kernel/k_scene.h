@@ -3,6 +3,7 @@
 #ifndef K_SCENE_H
 #define K_SCENE_H
 
+#include "k_polygon_grid.h"
 #include "k_ray.h"
 
 struct k_sphere
@@ -25,6 +26,7 @@ struct k_polygon
   const double *vertex[3];      // into k_scene.vertices
   unsigned n;
   int test;
+  struct k_polygon_grid *grid;  // or NULL
   struct k_surface s;
 };
 
