@@ -30,12 +30,15 @@ struct k_shaft
   float z_least, z_most;        // of sign * z
 };
 
-#define GROUPS (K_MANY / 8)     // of eight rays
+#define GROUPS (K_MANY / 8)     // of eight rays, at most
+#define EACH_GROUP(g, beam) (int g = 0; g == 0 || g < (beam)->groups; g++)
 
 struct k_beam
 {
   struct k_ray *rays;
   unsigned n;
+  int groups;                   // of eight rays, that n rays take
+  int is_from_one;              // all rays start at one point
   f8 o[3][GROUPS], d[3][GROUPS];
   f8 inverse[3][GROUPS];
   f8 near_o[3][GROUPS], far_o[3][GROUPS];       // as in k_float_ray
@@ -48,11 +51,11 @@ struct k_beam
 };
 
 static inline float
-k_least(const f8 x[GROUPS])
+k_least(const struct k_beam *beam, const f8 x[GROUPS])
 {
   f8 m = x[0];
 
-  for (int g = 1; g < GROUPS; g++)
+  for (int g = 1; g < beam->groups; g++)
     {
       m = f8_min(x[g], m);
     }
@@ -60,11 +63,11 @@ k_least(const f8 x[GROUPS])
 }
 
 static inline float
-k_most(const f8 x[GROUPS])
+k_most(const struct k_beam *beam, const f8 x[GROUPS])
 {
   f8 m = x[0];
 
-  for (int g = 1; g < GROUPS; g++)
+  for (int g = 1; g < beam->groups; g++)
     {
       m = f8_max(x[g], m);
     }
@@ -85,14 +88,17 @@ k_beam_start(struct k_beam *beam, const struct k_scene *scene,
 {
   const struct k_tree *tree = &scene->tree;
   float o[3][K_MANY], d[3][K_MANY];
-
   f8 farthest = f8_all(0);
+  int is_from_one = 1;
 
   beam->rays = rays;
   beam->n = n;
-  for (unsigned i = 0; i < K_MANY; i++)
+  beam->groups = (n + 7) / 8;
+  for (unsigned i = 0; i < 8u * beam->groups; i++)
     {
       const struct k_ray *ray = &rays[i < n ? i : 0];
+      is_from_one &= ray->o.x == rays->o.x && ray->o.y == rays->o.y
+        && ray->o.z == rays->o.z;
       o[0][i] = (ray->o.x - tree->center.x) * tree->scale;
       o[1][i] = (ray->o.y - tree->center.y) * tree->scale;
       o[2][i] = (ray->o.z - tree->center.z) * tree->scale;
@@ -101,7 +107,8 @@ k_beam_start(struct k_beam *beam, const struct k_scene *scene,
       d[2][i] = ray->d.z;
       beam->t_most.of[i] = i < n ? k_reach_float(scene, ray) : -1;
     }
-  for (int g = 0; g < GROUPS; g++)
+  beam->is_from_one = is_from_one;
+  for EACH_GROUP (g, beam)
     {
       f8 far = f8_all(1);
       for (int axis = 0; axis < 3; axis++)
@@ -140,93 +147,105 @@ k_beam_z_most(const struct k_beam *beam, int z)
 {
   f8 end[GROUPS];
 
-  for (int g = 0; g < GROUPS; g++)
+  for EACH_GROUP (g, beam)
     {
       end[g] = f8_mul(f8_all(beam->shaft.sign),
                       f8_add(beam->o[z][g], f8_mul(beam->t_most.all[g],
                                                    beam->d[z][g])));
     }
-  return k_pad(k_most(end), SHAFT_PAD);
+  return k_pad(k_most(beam, end), SHAFT_PAD);
 }
 
 /** Two planes of the shaft, that bound x against z, for rays that come from
-    ox, oz. */
+    `from`, or each from its own o (from NULL). */
 static inline void
 k_shaft_planes(struct k_beam *beam, int side, int x, int z,
-               const f8 ox[GROUPS], const f8 oz[GROUPS])
+               const float *from)
 {
   struct k_shaft *shaft = &beam->shaft;
   f8 slope[GROUPS], low[GROUPS], high[GROUPS], far = f8_all(1);
 
-  for (int g = 0; g < GROUPS; g++)
+  for EACH_GROUP (g, beam)
     {
       slope[g] = f8_mul(beam->d[x][g], beam->inverse[z][g]);
     }
   // Of x against z, whichever way the rays go along z.
-  float least = k_least(slope), most = k_most(slope);
+  float least = k_least(beam, slope), most = k_most(beam, slope);
   // Those that bound x from below and above while sign * z grows.
   float below = shaft->sign > 0 ? least : most;
   float above = shaft->sign > 0 ? most : least;
-  for (int g = 0; g < GROUPS; g++)
+  // Inside: below * z - x <= that of the ray with the most, and so on.
+  if (from)
     {
-      low[g] = f8_multiply_subtract(f8_all(below), oz[g], ox[g]);
-      high[g] = f8_multiply_subtract(f8_all(above), oz[g], ox[g]);
-      far = f8_max(f8_abs(ox[g]), far);
-      far = f8_max(f8_abs(oz[g]), far);
+      float pad = SHAFT_PAD * (1 + fabsf(from[x]) + fabsf(from[z]));
+      shaft->at[side] = below * from[z] - from[x] + pad;
+      shaft->at[side + 1] = above * from[z] - from[x] - pad;
     }
-  float pad = SHAFT_PAD * f8_most(far);
+  else
+    {
+      const f8 *ox = beam->o[x], *oz = beam->o[z];
+      for EACH_GROUP (g, beam)
+        {
+          low[g] = f8_multiply_subtract(f8_all(below), oz[g], ox[g]);
+          high[g] = f8_multiply_subtract(f8_all(above), oz[g], ox[g]);
+          far = f8_max(f8_abs(ox[g]), far);
+          far = f8_max(f8_abs(oz[g]), far);
+        }
+      float pad = SHAFT_PAD * f8_most(far);
+      shaft->at[side] = k_most(beam, low) + pad;
+      shaft->at[side + 1] = k_least(beam, high) - pad;
+    }
   shaft->slope[side] = below;
   shaft->slope[side + 1] = above;
-  // Inside: below * z - x <= low for the one with the most, and so on.
-  shaft->at[side] = k_most(low) + pad;
-  shaft->at[side + 1] = k_least(high) - pad;
   shaft->z[side] = below > 0 ? z : z + 3;
   shaft->z[side + 1] = above > 0 ? z + 3 : z;
 }
 
 /** 0: the rays do not go the same way. */
 static inline int
-k_shaft_start(struct k_beam *beam, int is_feeler)
+k_shaft_start(struct k_beam *beam, const struct k_scene *scene,
+              int is_feeler)
 {
   struct k_shaft *shaft = &beam->shaft;
-  struct k_vec d = beam->rays->d;
-  f8 ends[3][GROUPS];
-  const f8 (*o)[GROUPS] = (const f8 (*)[GROUPS])beam->o;
-  double ax = fabs(d.x), ay = fabs(d.y), az = fabs(d.z);
+  const struct k_ray *first = beam->rays;
+  double ax = fabs(first->d.x), ay = fabs(first->d.y);
+  double az = fabs(first->d.z);
   int z = ax > ay ? (ax > az ? 0 : 2) : (ay > az ? 1 : 2);
   int x = z == 2 ? 0 : z + 1, y = x == 2 ? 0 : x + 1;
-  int rises = k_component(d, z) > 0;
+  int rises = k_component(first->d, z) > 0;
+  float from[3];
 
-  if ((rises ? k_least(beam->d[z]) : -k_most(beam->d[z])) < ALONG)
+  if ((rises ? k_least(beam, beam->d[z]) : -k_most(beam, beam->d[z]))
+      < ALONG)
     {
       return 0;
     }
-  if (is_feeler)
+  if (is_feeler || beam->is_from_one)
     {
-      // From the light, where they all meet.
-      for (int axis = 0; axis < 3; axis++)
-        {
-          for (int g = 0; g < GROUPS; g++)
-            {
-              ends[axis][g] = f8_add(beam->o[axis][g],
-                                     f8_mul(beam->t_most.all[g],
-                                            beam->d[axis][g]));
-            }
-        }
-      rises = !rises;
-      o = (const f8 (*)[GROUPS])ends;
+      // Feelers are taken from the light, where they all meet.
+      struct k_vec o = is_feeler ? k_along(first->o, first->end, first->d)
+        : first->o;
+      o = k_scale(k_sub(o, scene->tree.center), scene->tree.scale);
+      from[0] = o.x;
+      from[1] = o.y;
+      from[2] = o.z;
+      rises ^= is_feeler;
     }
+  const float *one = is_feeler || beam->is_from_one ? from : NULL;
   shaft->sign = rises ? 1 : -1;
   shaft->x = x;
   shaft->y = y;
   shaft->z_near = rises ? z : z + 3;
   shaft->z_far = rises ? z + 3 : z;
-  k_shaft_planes(beam, 0, x, z, o[x], o[z]);
-  k_shaft_planes(beam, 2, y, z, o[y], o[z]);
-  shaft->z_least = -k_pad(rises ? -k_least(o[z]) : k_most(o[z]), SHAFT_PAD);
+  k_shaft_planes(beam, 0, x, z, one);
+  k_shaft_planes(beam, 2, y, z, one);
+  float least = one ? shaft->sign * from[z]
+    : rises ? k_least(beam, beam->o[z]) : -k_most(beam, beam->o[z]);
+  shaft->z_least = -k_pad(-least, SHAFT_PAD);
   shaft->z_most = !is_feeler ? k_beam_z_most(beam, z)
-    : k_pad(rises ? k_most(beam->o[z]) : -k_least(beam->o[z]), SHAFT_PAD);
-  return 1;
+    : k_pad(rises ? k_most(beam, beam->o[z]) : -k_least(beam, beam->o[z]),
+            SHAFT_PAD);
+  return !one || fabsf(from[0]) + fabsf(from[1]) + fabsf(from[2]) < FAR;
 }
 
 /** Which boxes of a node are in the shaft, at least in part, and where they
@@ -259,7 +278,7 @@ k_beam_test(const struct k_beam *beam, const struct k_node *node, unsigned i)
 {
   unsigned lanes = 0;
 
-  for (int g = 0; g < GROUPS; g++)
+  for EACH_GROUP (g, beam)
     {
       f8 in = f8_all(0), out = beam->t_most.all[g];
       for (int axis = 0; axis < 3; axis++)
@@ -400,7 +419,7 @@ k_find_many(const struct k_scene *scene, struct k_ray *rays, unsigned n,
 
   if (n < FEW || !scene->tree.nodes
       || !k_beam_start(&beam, scene, rays, n)
-      || !k_shaft_start(&beam, is_feeler))
+      || !k_shaft_start(&beam, scene, is_feeler))
     {
       for (unsigned i = 0; i < n; i++)
         {

@@ -161,8 +161,8 @@ feel(const struct k_scene *scene, const struct point *p,
      const struct k_light *light, struct k_ray *feeler)
 {
   struct k_vec l = k_sub(light->location, p->ray->hit.P);
-  double r = k_length(l);
-  struct k_vec L = k_unit(l);
+  double r;
+  struct k_vec L = k_unit_length(l, &r);
 
   if (!(r > 0 && k_dot(p->Ns, L) > 0))
     {
