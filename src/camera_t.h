@@ -26,6 +26,7 @@ struct sample
   BOOL is_lookat;
   struct k_vec ahead, right, up;        // unit; the window's axes
   double width, height;         // of the window
+  double pixel;                 // from a row to the next, of such a window
   double aperture, focus;       // lens: half side or radius; distance
   BOOL lens_is_disc;
 }

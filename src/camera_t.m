@@ -143,14 +143,9 @@
           [self readLookat: block];
         }
       [self readLens: block];
+      [self resizeTo: columns : rows];
     }
   return self;
-}
-
-- (void) resizeTo: (unsigned)newColumns : (unsigned)newRows
-{
-  columns = newColumns;
-  rows = newRows;
 }
 
 /** How many spacings there are between the first and the last of n columns
@@ -159,6 +154,13 @@ static double
 spacings(unsigned n)
 {
   return n == 1 ? 1 : n - 1;
+}
+
+- (void) resizeTo: (unsigned)newColumns : (unsigned)newRows
+{
+  columns = newColumns;
+  rows = newRows;
+  pixel = height / spacings(rows);
 }
 
 /** The unit direction from the viewpoint through a place in the window. */
@@ -173,10 +175,11 @@ direction_of(const camera_t *self, struct sample s)
 
   if (self->is_lookat)
     {
-      double pixel = self->height / spacings(rows);
+      double pixel = self->pixel;
       double x = (i - spacings(columns) / 2) * pixel;
       double y = (j - spacings(rows) / 2) * pixel;
-      return k_unit(k_add(self->ahead, k_add(k_scale(self->right, x), k_scale(self->up, y))));
+      return k_unit(k_add(self->ahead, k_add(k_scale(self->right, x),
+                                             k_scale(self->up, y))));
     }
   struct k_vec point = k_vec(self->width * i / spacings(columns),
                              self->height * j / spacings(rows), 0);

@@ -6,7 +6,7 @@
 #include "kernel/k_vec.h"
 
 /** How many rays an engine is best asked for at once. */
-#define EYE_RAYS 16
+#define EYE_RAYS 32
 
 struct eye_ray
 {

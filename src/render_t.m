@@ -165,9 +165,9 @@ flush(id <engine_t> engine, struct bundle *bundle, struct counters *count)
 
   for (unsigned y = y0; y < y1; y += BLOCK)
     {
-      for (unsigned x = x0; x < x1; x += BLOCK)
+      for (unsigned x = x0; x < x1; x += 2 * BLOCK)
         {
-          struct window block = { x, y, MIN(x + BLOCK, x1),
+          struct window block = { x, y, MIN(x + 2 * BLOCK, x1),
                                   MIN(y + BLOCK, y1) };
           [self pixelsOf: block counters: count];
         }

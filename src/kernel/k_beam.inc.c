@@ -349,7 +349,7 @@ k_beam_ask(const struct k_scene *scene, struct k_beam *beam, int is_feeler)
   const struct k_tree *tree = &scene->tree;
   struct entry stack[STACK + K_WIDTH], *top = stack;
   struct k_shaft *shaft = &beam->shaft;
-  unsigned live = (1u << beam->n) - 1;  // feelers that nothing blocks yet
+  unsigned live = (1ull << beam->n) - 1;  // feelers that nothing blocks yet
   uint32_t at = 0;
   int z = shaft->z_near % 3;
 

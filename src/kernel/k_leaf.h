@@ -126,7 +126,7 @@ k_polygon_crossings_4(struct k_vec o, const struct k_shear *shear, unsigned n,
 }
 
 static inline int
-k_polygon_holds(const struct k_polygon *polygon, const struct k_ray *ray,
+k_polygon_holds(const struct k_polygon *polygon, struct k_ray *ray,
                 double t)
 {
   switch (polygon->test)
@@ -147,7 +147,7 @@ k_polygon_holds(const struct k_polygon *polygon, const struct k_ray *ray,
               return cell == K_CELL_IN;
             }
         }
-      return k_polygon_crossings_4(ray->o, &ray->shear, polygon->n,
+      return k_polygon_crossings_4(ray->o, k_ray_shear(ray), polygon->n,
                                    polygon->vertex);
     }
 }
@@ -159,8 +159,7 @@ k_polygon_plane_hit(const struct k_polygon *polygon, const struct k_ray *ray,
 {
   return k_plane_hit(&polygon->plane, ray->o, ray->d, t)
     && (polygon->test != 0
-        || k_polygon_settle(&polygon->plane, ray->o, ray->d, ray->inverse,
-                            polygon->n, polygon->vertex, t));
+        || k_polygon_settle(&polygon->plane, ray->o, ray->d, polygon->n, polygon->vertex, t));
 }
 
 /** A face of a clear solid that is not convex: -[solid_t search:isInside:]. */

@@ -28,9 +28,10 @@ struct k_hit
 
 struct k_ray
 {
-  struct k_vec o, d, inverse;
+  struct k_vec o, d;
   double dis;                   // of the path before o
-  struct k_shear shear;
+  struct k_shear shear;         // see k_ray_shear
+  int has_shear;
   const struct k_surface *from; // the surface it starts on, or NULL
   int starts_inside;
   double slack;
@@ -41,20 +42,14 @@ struct k_ray
   struct counters *counters;
 };
 
-/** A ray from o along d that has hit nothing yet. Its shear is for polygons
-    and left out when there are none. */
+/** A ray from o along d that has hit nothing yet. */
 static inline void
 k_ray_start(struct k_ray *ray, struct k_vec o, struct k_vec d,
-            const struct k_media *media, struct counters *counters,
-            int needs_shear)
+            const struct k_media *media, struct counters *counters)
 {
   ray->o = o;
   ray->d = d;
-  ray->inverse = k_vec(1 / d.x, 1 / d.y, 1 / d.z);
-  if (needs_shear)
-    {
-      ray->shear = k_shear(d);
-    }
+  ray->has_shear = 0;
   ray->dis = 0;
   ray->from = NULL;
   ray->starts_inside = 0;
@@ -66,6 +61,18 @@ k_ray_start(struct k_ray *ray, struct k_vec o, struct k_vec d,
   ray->hit.t = HUGE_VAL;
   ray->hit.surface = NULL;
   ray->counters = counters;
+}
+
+/** How a polygon sees the ray: for the first one that asks. */
+static inline const struct k_shear *
+k_ray_shear(struct k_ray *ray)
+{
+  if (!ray->has_shear)
+    {
+      ray->shear = k_shear(ray->d);
+      ray->has_shear = 1;
+    }
+  return &ray->shear;
 }
 
 /** The farthest at which anything is of interest still. */

@@ -37,21 +37,20 @@ struct k_float_ray
 };
 
 static inline void
-k_float_ray_start(struct k_float_ray *f, struct k_vec o,
-                  struct k_vec inverse_d)
+k_float_ray_start(struct k_float_ray *f, struct k_vec o, struct k_vec d)
 {
   double pad = PAD * (1 + k_norm_max(o));
 
   for (int axis = 0; axis < 3; axis++)
     {
       double x = k_component(o, axis);
-      double inverse = k_component(inverse_d, axis);
+      float inverse = 1 / (float)k_component(d, axis);
       int falls = signbit(inverse) != 0;
-      double i = fabs(inverse) < STEEP ? inverse : falls ? -STEEP : STEEP;
-      double slack = pad * fabs(i);
+      float i = fabsf(inverse) < STEEP ? inverse : falls ? -STEEP : STEEP;
+      double slack = pad * fabsf(i);
       f->near_side[axis] = falls ? axis + 3 : axis;
       f->far_side[axis] = falls ? axis : axis + 3;
-      f->inverse[axis] = f8_all((float)i);
+      f->inverse[axis] = f8_all(i);
       f->near_o[axis] = f8_all((float)(x * i + slack));
       f->far_o[axis] = f8_all((float)(x * i - slack));
     }
@@ -173,7 +172,7 @@ k_tree_ask(const struct k_scene *scene, struct k_ray *ray, uint32_t at)
       k_ask_all(scene, ray);
       return;
     }
-  k_float_ray_start(&f, o, ray->inverse);
+  k_float_ray_start(&f, o, ray->d);
   for (;;)
     {
       unsigned hits = 0;

@@ -109,14 +109,12 @@ forget_media_left(const struct k_scene *scene, struct k_ray *ray,
 
 /** A ray from where `ray` has hit something. */
 static inline void
-spawn(const struct k_scene *scene, struct k_ray *child,
-      const struct k_ray *ray, struct k_vec d, int through,
-      const struct k_media *media)
+spawn(struct k_ray *child, const struct k_ray *ray, struct k_vec d,
+      int through, const struct k_media *media)
 {
   int came_from_inside = !(k_dot(ray->hit.N, ray->d) < 0);
 
-  k_ray_start(child, ray->hit.P, d, media, ray->counters,
-              scene->polygon_count > 0);
+  k_ray_start(child, ray->hit.P, d, media, ray->counters);
   child->dis = ray->dis;
   child->from = ray->hit.surface;
   child->starts_inside = came_from_inside != through;
@@ -157,8 +155,7 @@ point_start(const struct k_scene *scene, struct point *p, struct k_ray *ray)
 
 /** A feeler to the light; 0 when the point turns its back to it. */
 static inline int
-feel(const struct k_scene *scene, const struct point *p,
-     const struct k_light *light, struct k_ray *feeler)
+feel(const struct point *p, const struct k_light *light, struct k_ray *feeler)
 {
   struct k_vec l = k_sub(light->location, p->ray->hit.P);
   double r;
@@ -168,7 +165,7 @@ feel(const struct k_scene *scene, const struct point *p,
     {
       return 0;
     }
-  spawn(scene, feeler, p->ray, L, 0, p->ray->media);
+  spawn(feeler, p->ray, L, 0, p->ray->media);
   feeler->is_feeler = 1;
   feeler->end = r;
   feeler->end_slack = 16 * K_U * (k_norm1(feeler->o)
@@ -188,7 +185,7 @@ light_up(const struct k_scene *scene, const struct k_light *light,
   for (unsigned i = 0; i < count; i++)
     {
       struct point *p = &points[i];
-      if (feel(scene, p, light, &feelers[n]))
+      if (feel(p, light, &feelers[n]))
         {
           of[n++] = i;
         }
@@ -272,7 +269,7 @@ reflect_all(const struct k_scene *scene, struct point *points, unsigned count,
       struct point *p = &points[i];
       if (p->is_mirror || p->R > 0)
         {
-          spawn(scene, &children[n], p->ray,
+          spawn(&children[n], p->ray,
                 shade_renew(shade_reflect(p->ray->d, p->Ns)), 0,
                 p->ray->media);
           of[n++] = i;
@@ -302,7 +299,7 @@ refract_all(const struct k_scene *scene, struct point *points, unsigned count,
       struct point *p = &points[i];
       if (p->m->alpha > 0 && p->R < 1)
         {
-          spawn(scene, &children[n], p->ray, p->t, 1, p->inside);
+          spawn(&children[n], p->ray, p->t, 1, p->inside);
           of[n++] = i;
         }
     }
@@ -406,7 +403,7 @@ trace_eye(const struct k_scene *scene, struct eye_ray *eye, unsigned n,
   for (unsigned i = 0; i < n; i++)
     {
       k_ray_start(&rays[i], eye[i].o, eye[i].d, media ? media[i] : NULL,
-                  counters, scene->polygon_count > 0);
+                  counters);
     }
   trace(scene, rays, n, 0, colors);
   for (unsigned i = 0; i < n; i++)
@@ -423,7 +420,7 @@ first_hit(const struct k_scene *scene, struct k_vec o, struct k_vec d,
   struct k_surface_hit first = { HUGE_VAL, { 0, 0, 0 }, 0 };
   struct k_ray ray;
 
-  k_ray_start(&ray, o, d, media, &nobody_counts, scene->polygon_count > 0);
+  k_ray_start(&ray, o, d, media, &nobody_counts);
   K_CLOSEST(scene, &ray);
   if (ray.hit.surface)
     {

@@ -97,8 +97,8 @@ main(void)
           struct k_vec o, d;
           aim(&p, i, &random, &o, &d);
           struct k_ray ray = kernel_ray(o, d, &counters);
-          int is_in = k_polygon_crossings(o, &ray.shear, n, p.vertex);
-          apart += is_in != k_polygon_crossings_4(o, &ray.shear, n, p.vertex);
+          int is_in = k_polygon_crossings(o, k_ray_shear(&ray), n, p.vertex);
+          apart += is_in != k_polygon_crossings_4(o, k_ray_shear(&ray), n, p.vertex);
           rays++;
           inside += is_in;
           // Asked by the search, on a plane across the ray, ahead of it.

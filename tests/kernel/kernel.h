@@ -95,7 +95,7 @@ kernel_ray(struct k_vec o, struct k_vec d, struct counters *counters)
   struct k_ray ray;
 
   memset(&ray, 0, sizeof ray);
-  k_ray_start(&ray, o, d, NULL, counters, 1);
+  k_ray_start(&ray, o, d, NULL, counters);
   return ray;
 }
 
