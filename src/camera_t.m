@@ -163,27 +163,57 @@ spacings(unsigned n)
   pixel = height / spacings(rows);
 }
 
-/** The unit direction from the viewpoint through a place in the window. */
-static inline struct k_vec
-direction_of(const camera_t *self, struct sample s)
+/** The unit directions from the viewpoint through places in the window, of at
+    most EYE_RAYS. One step for all before the next: many processors do two or
+    more at once. */
+static void
+direct(const camera_t *self, const struct sample *samples, unsigned count,
+       struct eye_ray *rays)
 {
-  unsigned columns = self->columns, rows = self->rows;
-  // Column and row counted from the first one, in spacings; the middle of a
-  // window with only one.
-  double i = (columns == 1 ? 0.5 : s.column) + s.right;
-  double j = (rows == 1 ? 0.5 : s.row) + s.up;
+  double x[EYE_RAYS], y[EYE_RAYS], z[EYE_RAYS], length[EYE_RAYS];
+  double across = spacings(self->columns), upward = spacings(self->rows);
+  struct k_vec ahead = self->ahead, right = self->right, up = self->up;
+  struct k_vec eye = self->viewpoint;
+  BOOL is_far = NO;
 
-  if (self->is_lookat)
+  for (unsigned n = 0; n < count; n++)
     {
-      double pixel = self->pixel;
-      double x = (i - spacings(columns) / 2) * pixel;
-      double y = (j - spacings(rows) / 2) * pixel;
-      return k_unit(k_add(self->ahead, k_add(k_scale(self->right, x),
-                                             k_scale(self->up, y))));
+      // Column and row counted from the first one, in spacings; the middle of
+      // a window with only one.
+      x[n] = (self->columns == 1 ? 0.5 : samples[n].column)
+        + samples[n].right;
+      y[n] = (self->rows == 1 ? 0.5 : samples[n].row) + samples[n].up;
     }
-  struct k_vec point = k_vec(self->width * i / spacings(columns),
-                             self->height * j / spacings(rows), 0);
-  return k_unit(k_sub(point, self->viewpoint));
+  for (unsigned n = 0; n < count; n++)
+    {
+      if (self->is_lookat)
+        {
+          double i = (x[n] - across / 2) * self->pixel;
+          double j = (y[n] - upward / 2) * self->pixel;
+          x[n] = ahead.x + (right.x * i + up.x * j);
+          y[n] = ahead.y + (right.y * i + up.y * j);
+          z[n] = ahead.z + (right.z * i + up.z * j);
+        }
+      else
+        {
+          x[n] = self->width * x[n] / across - eye.x;
+          y[n] = self->height * y[n] / upward - eye.y;
+          z[n] = 0 - eye.z;
+        }
+      double l2 = x[n] * x[n] + y[n] * y[n] + z[n] * z[n];
+      is_far |= !(l2 > 0x1p-900 && l2 < 0x1p900);
+      length[n] = sqrt(l2);
+    }
+  for (unsigned n = 0; n < count; n++)
+    {
+      rays[n].d = k_vec(x[n], y[n], z[n]);
+    }
+  for (unsigned n = 0; n < count; n++)
+    {
+      // k_unit, with its square root taken above.
+      rays[n].d = is_far ? k_unit(rays[n].d) : k_div(rays[n].d, length[n]);
+      rays[n].o = eye;
+    }
 }
 
 /** The point of the unit disc for a point of the square [-1, 1]^2: squares
@@ -225,28 +255,40 @@ disc_from_square(double *u, double *v)
 - (void) centralRay: (struct sample)sample
                 pos: (struct k_vec *)pos dir: (struct k_vec *)dir
 {
-  *pos = viewpoint;
-  *dir = direction_of(self, sample);
+  struct eye_ray ray;
+
+  direct(self, &sample, 1, &ray);
+  *pos = ray.o;
+  *dir = ray.d;
+}
+
+- (void) ray: (struct sample)sample
+         pos: (struct k_vec *)pos dir: (struct k_vec *)dir
+{
+  struct eye_ray ray;
+
+  [self rays: &ray : 1 of: &sample];
+  *pos = ray.o;
+  *dir = ray.d;
 }
 
 /** Notes: du, dv move the starting point, and the direction focus * dir back
     by as much; divided by focus, so that no focus is too far. */
-- (void) ray: (struct sample)sample
-         pos: (struct k_vec *)pos dir: (struct k_vec *)dir
+- (void) rays: (struct eye_ray *)rays : (unsigned)count
+           of: (const struct sample *)samples
 {
-  *pos = viewpoint;
-  *dir = direction_of(self, sample);
-  if (has_lens)
+  direct(self, samples, count, rays);
+  for (unsigned n = 0; has_lens && n < count; n++)
     {
-      double u = sample.u, v = sample.v;
+      double u = samples[n].u, v = samples[n].v;
       if (lens_is_disc)
         {
           disc_from_square(&u, &v);
         }
       struct k_vec lens = k_add(k_scale(right, aperture * u),
                                 k_scale(up, aperture * v));
-      *pos = k_add(viewpoint, lens);
-      *dir = k_unit(k_sub(*dir, k_div(lens, focus)));
+      rays[n].o = k_add(viewpoint, lens);
+      rays[n].d = k_unit(k_sub(rays[n].d, k_div(lens, focus)));
     }
 }
 

@@ -45,6 +45,7 @@ made_finite(double c, NSUInteger *nanCount)
     {
       pixels = calloc(count, sizeof *pixels);
       surfaces = withSurfaces ? calloc(count, sizeof *surfaces) : NULL;
+      machine_large_pages(pixels, count * sizeof *pixels);
     }
   if (pixels == NULL || (withSurfaces && surfaces == NULL))
     {

@@ -4,6 +4,7 @@
 #import "machine.h"
 #include <limits.h>
 #include <sched.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 unsigned
@@ -19,6 +20,19 @@ double
 machine_memory(void)
 {
   return (double)sysconf(_SC_PHYS_PAGES) * sysconf(_SC_PAGESIZE);
+}
+
+void
+machine_large_pages(void *memory, size_t bytes)
+{
+  uintptr_t page = sysconf(_SC_PAGESIZE);
+  uintptr_t from = ((uintptr_t)memory + page - 1) & -page;
+  uintptr_t to = ((uintptr_t)memory + bytes) & -page;
+
+  if (to > from)
+    {
+      madvise((void *)from, to - from, MADV_HUGEPAGE);
+    }
 }
 
 NSArray *

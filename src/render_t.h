@@ -3,8 +3,9 @@
 // nor the tiles nor the crop change a bit of it.
 
 #import <Foundation/Foundation.h>
-#import "camera_t.h"
 #import "engine_t.h"
+
+@class camera_t;
 
 enum sampler
 {
@@ -29,7 +30,6 @@ struct render_options
   struct render_options options;
   struct counters counters;     // of all threads, after run
 @protected
-  void (*camera_ray)(id, SEL, struct sample, struct k_vec *, struct k_vec *);
   unsigned tile_count, tiles_across;
   unsigned next_tile, tiles_done;       // atomic
   NSLock *lock;                 // of counters

@@ -1,4 +1,5 @@
 #import "render_t.h"
+#import "camera_t.h"
 #include "sampler.h"
 #include <pthread.h>
 
@@ -6,8 +7,9 @@
 // nothing, small enough that the last ones keep all threads busy.
 #define TILE 16
 
-// Pixels of one side of a block, whose rays are traced together.
-#define BLOCK 4
+// Pixels of a block, whose rays are traced together: across and down.
+#define ACROSS 8
+#define DOWN (EYE_RAYS / ACROSS)
 
 // Bytes of a thread's stack: rays are traced by recursion, and deep ones in
 // many media at once need more than threads commonly have.
@@ -23,9 +25,6 @@
       engine = [anEngine retain];
       camera = [aCamera retain];
       image = [anImage retain];
-      // Asked for each ray: the method is looked up once.
-      camera_ray = (void *)[camera methodForSelector:
-                                     @selector(ray:pos:dir:)];
       lock = [[NSLock alloc] init];
       options = someOptions;
       tiles_across = ([image width] + TILE - 1) / TILE;
@@ -67,30 +66,32 @@ place(const struct render_options *options, struct sample *sample, unsigned s)
     }
 }
 
-/** Eye rays on their way to an engine, and the pixels they are of. */
+/** Rays that are to be traced together, and the pixels they are of. */
 struct bundle
 {
-  struct eye_ray rays[EYE_RAYS];
+  struct sample samples[EYE_RAYS];
   struct pixel *pixels[EYE_RAYS];
   unsigned count;
 };
 
 /** Traces a bundle and adds each colour to its pixel, in order. */
-static void
-flush(id <engine_t> engine, struct bundle *bundle, struct counters *count)
+- (void) trace: (struct bundle *)bundle counters: (struct counters *)count
 {
-  [engine trace: bundle->rays : bundle->count counters: count];
+  struct eye_ray rays[EYE_RAYS];
+
+  [camera rays: rays : bundle->count of: bundle->samples];
+  [engine trace: rays : bundle->count counters: count];
   for (unsigned i = 0; i < bundle->count; i++)
     {
       struct k_vec *color = &bundle->pixels[i]->color;
-      *color = k_add(*color, bundle->rays[i].color);
+      *color = k_add(*color, rays[i].color);
     }
   bundle->count = 0;
 }
 
 /** All rays of a pixel go into the bundle. */
-- (void) pixel: (struct pixel *)pixel at: (struct sample)sample
-            to: (struct bundle *)bundle counters: (struct counters *)count
+- (void) add: (struct pixel *)pixel at: (struct sample)sample
+          to: (struct bundle *)bundle counters: (struct counters *)count
 {
   uint64_t ray_number = 0;
 
@@ -108,13 +109,11 @@ flush(id <engine_t> engine, struct bundle *bundle, struct counters *count)
                                             sample.row, ray_number,
                                             DIMENSION_LENS_V) - 1;
             }
-          struct eye_ray *ray = &bundle->rays[bundle->count];
-          camera_ray(camera, @selector(ray:pos:dir:), sample, &ray->o,
-                     &ray->d);
+          bundle->samples[bundle->count] = sample;
           bundle->pixels[bundle->count++] = pixel;
           if (bundle->count == EYE_RAYS)
             {
-              flush(engine, bundle, count);
+              [self trace: bundle counters: count];
             }
         }
     }
@@ -124,9 +123,10 @@ flush(id <engine_t> engine, struct bundle *bundle, struct counters *count)
     all its rays. */
 - (void) pixelsOf: (struct window)w counters: (struct counters *)count
 {
-  struct bundle bundle = { .count = 0 };
+  struct bundle bundle;
   double rays = (double)options.samples * camera->exposure;
 
+  bundle.count = 0;
   for (unsigned y = w.y0; y < w.y1; y++)
     {
       struct pixel *row = [image pixelAt: w.x0 : y];
@@ -140,12 +140,12 @@ flush(id <engine_t> engine, struct bundle *bundle, struct counters *count)
               [camera centralRay: sample pos: &o dir: &d];
               *[image surfaceAt: x : y] = [engine surfaceAt: o : d];
             }
-          [self pixel: row + (x - w.x0) at: sample to: &bundle
-             counters: count];
+          [self add: row + (x - w.x0) at: sample to: &bundle
+            counters: count];
         }
     }
-  flush(engine, &bundle, count);
-  for (unsigned y = w.y0; y < w.y1; y++)
+  [self trace: &bundle counters: count];
+  for (unsigned y = w.y0; rays > 1 && y < w.y1; y++)
     {
       struct pixel *pixel = [image pixelAt: w.x0 : y];
       for (unsigned x = w.x0; x < w.x1; x++, pixel++)
@@ -163,12 +163,12 @@ flush(id <engine_t> engine, struct bundle *bundle, struct counters *count)
   unsigned x1 = MIN(x0 + TILE, image->window.x1);
   unsigned y1 = MIN(y0 + TILE, image->window.y1);
 
-  for (unsigned y = y0; y < y1; y += BLOCK)
+  for (unsigned y = y0; y < y1; y += DOWN)
     {
-      for (unsigned x = x0; x < x1; x += 2 * BLOCK)
+      for (unsigned x = x0; x < x1; x += ACROSS)
         {
-          struct window block = { x, y, MIN(x + 2 * BLOCK, x1),
-                                  MIN(y + BLOCK, y1) };
+          struct window block = { x, y, MIN(x + ACROSS, x1),
+                                  MIN(y + DOWN, y1) };
           [self pixelsOf: block counters: count];
         }
     }
