@@ -75,12 +75,13 @@ struct bundle
 };
 
 /** Traces a bundle and adds each colour to its pixel, in order. */
-- (void) trace: (struct bundle *)bundle counters: (struct counters *)count
+static void
+trace(const render_t *self, struct bundle *bundle, struct counters *count)
 {
   struct eye_ray rays[EYE_RAYS];
 
-  [camera rays: rays : bundle->count of: bundle->samples];
-  [engine trace: rays : bundle->count counters: count];
+  [self->camera rays: rays : bundle->count of: bundle->samples];
+  [self->engine trace: rays : bundle->count counters: count];
   for (unsigned i = 0; i < bundle->count; i++)
     {
       struct k_vec *color = &bundle->pixels[i]->color;
@@ -90,22 +91,26 @@ struct bundle
 }
 
 /** All rays of a pixel go into the bundle. */
-- (void) add: (struct pixel *)pixel at: (struct sample)sample
-          to: (struct bundle *)bundle counters: (struct counters *)count
+static inline void
+add(const render_t *self, struct pixel *pixel, struct sample sample,
+    struct bundle *bundle, struct counters *count)
 {
+  const struct render_options *options = &self->options;
+  unsigned exposure = self->camera->exposure;
+  BOOL has_lens = self->camera->has_lens;
   uint64_t ray_number = 0;
 
-  for (unsigned s = 0; s < options.samples; s++)
+  for (unsigned s = 0; s < options->samples; s++)
     {
-      place(&options, &sample, s);
-      for (unsigned e = 0; e < camera->exposure; e++, ray_number++)
+      place(options, &sample, s);
+      for (unsigned e = 0; e < exposure; e++, ray_number++)
         {
-          if (camera->has_lens)
+          if (has_lens)
             {
-              sample.u = 2 * sampler_random(options.seed, sample.column,
+              sample.u = 2 * sampler_random(options->seed, sample.column,
                                             sample.row, ray_number,
                                             DIMENSION_LENS_U) - 1;
-              sample.v = 2 * sampler_random(options.seed, sample.column,
+              sample.v = 2 * sampler_random(options->seed, sample.column,
                                             sample.row, ray_number,
                                             DIMENSION_LENS_V) - 1;
             }
@@ -113,7 +118,7 @@ struct bundle
           bundle->pixels[bundle->count++] = pixel;
           if (bundle->count == EYE_RAYS)
             {
-              [self trace: bundle counters: count];
+              trace(self, bundle, count);
             }
         }
     }
@@ -140,11 +145,10 @@ struct bundle
               [camera centralRay: sample pos: &o dir: &d];
               *[image surfaceAt: x : y] = [engine surfaceAt: o : d];
             }
-          [self add: row + (x - w.x0) at: sample to: &bundle
-            counters: count];
+          add(self, row + (x - w.x0), sample, &bundle, count);
         }
     }
-  [self trace: &bundle counters: count];
+  trace(self, &bundle, count);
   for (unsigned y = w.y0; rays > 1 && y < w.y1; y++)
     {
       struct pixel *pixel = [image pixelAt: w.x0 : y];

@@ -298,6 +298,11 @@ enum k_status
 k_scene_finish(struct k_scene *scene, struct k_settings settings)
 {
   scene->settings = settings;
+  for (uint32_t i = 0; i < scene->material_count; i++)
+    {
+      scene->has_mirrors |= !k_is_zero(scene->materials[i].specular);
+      scene->has_clear |= scene->materials[i].alpha > 0;
+    }
   scene->isa = k_isa_find(settings.isa);
   if (!scene->isa)
     {

@@ -114,6 +114,7 @@ struct k_scene
     convex_room, face_room, user_room, unbounded_room, vertices_room,
     media_room;
   int is_short_of_memory;
+  int has_mirrors, has_clear;   // materials that make rays
   struct k_tree tree;
   struct k_settings settings;
   const struct k_isa *isa;

@@ -332,6 +332,23 @@ point_color(const struct point *p)
   return k_add(color, p->highlights);
 }
 
+/** The colours in a scene without lights, mirrors and glass: no more than
+    ambient. */
+static void
+trace_ambient(const struct k_scene *scene, struct k_ray *rays, unsigned n,
+              struct k_vec *colors)
+{
+  find_closest(scene, rays, n);
+  for (unsigned i = 0; i < n; i++)
+    {
+      const struct k_hit *hit = &rays[i].hit;
+      colors[i] = hit->surface
+        ? shade_ambient(scene->materials[hit->surface->material].ambient,
+                        rays[i].dis + hit->t)
+        : scene->settings.background;
+    }
+}
+
 /** -[ray_t trace:], step by step, of n rays at once. */
 static void
 trace(const struct k_scene *scene, struct k_ray *rays, unsigned n,
@@ -405,7 +422,14 @@ trace_eye(const struct k_scene *scene, struct eye_ray *eye, unsigned n,
       k_ray_start(&rays[i], eye[i].o, eye[i].d, media ? media[i] : NULL,
                   counters);
     }
-  trace(scene, rays, n, 0, colors);
+  if (scene->light_count || scene->has_mirrors || scene->has_clear)
+    {
+      trace(scene, rays, n, 0, colors);
+    }
+  else
+    {
+      trace_ambient(scene, rays, n, colors);
+    }
   for (unsigned i = 0; i < n; i++)
     {
       eye[i].color = colors[i];
