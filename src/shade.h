@@ -1,6 +1,6 @@
 // shade.h - what light does at a hit point: the formulas of the notes, once,
 // as inline C on values. ray_t calls them one after the other, and so does
-// kernel/k_trace.c: both engines get the same bits. All products of colours
+// kernel/k_trace.inc.c: both engines get the same bits. All products of colours
 // are channel by channel; nothing is clamped.
 
 #ifndef SHADE_H

@@ -122,12 +122,15 @@ struct k_scene
 
 #define K_MANY EYE_RAYS         // rays that are traced together, at most
 
-/** What an instruction set provides: the search for one ray, the colours of
-    up to K_MANY eye rays, and what one of them hits. */
+/** What an instruction set provides: the search for one ray and for up to
+    K_MANY, feelers that go to one light or none of them; the colours of up to
+    K_MANY eye rays, and what one of them hits. */
 struct k_isa
 {
   const char *name;
   void (*closest)(const struct k_scene *scene, struct k_ray *ray);
+  void (*find)(const struct k_scene *scene, struct k_ray *rays, unsigned n,
+               int are_feelers);
   void (*trace)(const struct k_scene *scene, struct eye_ray *rays, unsigned n,
                 const struct k_media *const *media,
                 struct counters *counters);

@@ -456,4 +456,21 @@ first_hit(const struct k_scene *scene, struct k_vec o, struct k_vec d,
   return first;
 }
 
-const struct k_isa K_ISA = { K_ISA_NAME, K_CLOSEST, trace_eye, first_hit };
+/** k_find_many for who is not compiled with it. */
+static void
+find(const struct k_scene *scene, struct k_ray *rays, unsigned n,
+     int are_feelers)
+{
+  if (are_feelers)
+    {
+      find_any(scene, rays, n);
+    }
+  else
+    {
+      find_closest(scene, rays, n);
+    }
+}
+
+const struct k_isa K_ISA = {
+  K_ISA_NAME, K_CLOSEST, find, trace_eye, first_hit
+};
