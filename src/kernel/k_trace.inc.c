@@ -256,6 +256,26 @@ refract(const struct k_scene *scene, struct point *p, struct k_media *room)
 static void trace(const struct k_scene *scene, struct k_ray *rays, unsigned n,
                   unsigned depth, struct k_vec *colors);
 
+// From this generation on each ray is traced by itself: few are left by then,
+// and what one level takes of the stack may be taken a thousand times.
+#define TOGETHER 16
+
+/** The colours of the next generation. */
+static inline void
+trace_children(const struct k_scene *scene, struct k_ray *children,
+               unsigned n, unsigned depth, struct k_vec *colors)
+{
+  if (depth < TOGETHER)
+    {
+      trace(scene, children, n, depth + 1, colors);
+      return;
+    }
+  for (unsigned i = 0; i < n; i++)
+    {
+      trace(scene, &children[i], 1, depth + 1, &colors[i]);
+    }
+}
+
 /** What comes along the reflected rays of the points that have one. */
 static inline void
 reflect_all(const struct k_scene *scene, struct point *points, unsigned count,
@@ -278,7 +298,7 @@ reflect_all(const struct k_scene *scene, struct point *points, unsigned count,
   if (n && depth < scene->settings.max_depth)
     {
       children->counters->reflection += n;
-      trace(scene, children, n, depth + 1, colors);
+      trace_children(scene, children, n, depth, colors);
       for (unsigned j = 0; j < n; j++)
         {
           points[of[j]].reflected = colors[j];
@@ -306,7 +326,7 @@ refract_all(const struct k_scene *scene, struct point *points, unsigned count,
   if (n && depth < scene->settings.max_depth)
     {
       children->counters->refraction += n;
-      trace(scene, children, n, depth + 1, colors);
+      trace_children(scene, children, n, depth, colors);
       for (unsigned j = 0; j < n; j++)
         {
           points[of[j]].refracted = colors[j];
