@@ -167,11 +167,13 @@ static inline void
 k_face_ask(const struct k_polygon *face, struct k_ray *ray)
 {
   int is_inside = k_media_has(ray->media, face->s.medium);
+  int comes_from_it = ray->from && ray->from->medium == face->s.medium;
+  int goes_out = is_inside || (comes_from_it && ray->starts_inside);
   double t;
 
   if (ray->from == &face->s
-      || ((ray->from || is_inside)
-          && (k_dot(face->plane.n, ray->d) > 0) != is_inside)
+      || ((is_inside || comes_from_it)
+          && (k_dot(face->plane.n, ray->d) > 0) != goes_out)
       || !k_polygon_plane_hit(face, ray, &t))
     {
       return;
