@@ -262,6 +262,16 @@ k_convex_ask(const struct k_scene *scene, const struct k_convex *solid,
     }
 }
 
+/** What a ray is in behind a shape of the tree. */
+static inline unsigned
+k_ref_medium(const struct k_scene *scene, struct k_ref ref)
+{
+  return ref.kind == K_SPHERE ? scene->spheres[ref.index].s.medium
+    : ref.kind == K_POLYGON ? scene->polygons[ref.index].s.medium
+    : ref.kind == K_CONVEX ? scene->convex[ref.index].medium
+    : scene->users[ref.index].s.medium;
+}
+
 /** Asks one shape of the tree; feelers skip what is clear. */
 static inline void
 k_ref_ask(const struct k_scene *scene, struct k_ref ref, struct k_ray *ray)

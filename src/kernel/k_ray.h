@@ -38,6 +38,7 @@ struct k_ray
   int is_feeler;
   double end, end_slack;
   const struct k_media *media;
+  unsigned only;                // the one medium whose surface is asked; 0: all
   struct k_hit hit;
   struct counters *counters;
 };
@@ -58,6 +59,7 @@ k_ray_start(struct k_ray *ray, struct k_vec o, struct k_vec d,
   ray->end = HUGE_VAL;
   ray->end_slack = 0;
   ray->media = media;
+  ray->only = 0;
   ray->hit.t = HUGE_VAL;
   ray->hit.surface = NULL;
   ray->counters = counters;

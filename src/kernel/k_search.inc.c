@@ -90,6 +90,10 @@ k_leaf_ask(const struct k_scene *scene, struct k_ray *ray, uint32_t leaf)
 
   for (unsigned n = (leaf & 7) + 1; n; n--, ref++)
     {
+      if (ray->only && k_ref_medium(scene, *ref) != ray->only)
+        {
+          continue;
+        }
       ray->counters->tests++;
       k_ref_ask(scene, *ref, ray);
     }
@@ -100,6 +104,10 @@ k_ask_all(const struct k_scene *scene, struct k_ray *ray)
 {
   for (uint32_t i = 0; i < scene->tree.ref_count; i++)
     {
+      if (ray->only && k_ref_medium(scene, scene->tree.refs[i]) != ray->only)
+        {
+          continue;
+        }
       ray->counters->tests++;
       k_ref_ask(scene, scene->tree.refs[i], ray);
     }
@@ -214,6 +222,11 @@ k_tree_ask(const struct k_scene *scene, struct k_ray *ray, uint32_t at)
 static inline void
 k_ask_unbounded(const struct k_scene *scene, struct k_ray *ray)
 {
+  if (ray->only)
+    {
+      k_tree_ask(scene, ray, 0);
+      return;
+    }
   for (uint32_t i = 0; i < scene->plane_count; i++)
     {
       struct k_ref plane = { K_PLANE, i };

@@ -31,6 +31,8 @@ finish_hit(struct k_ray *ray)
   hit->finish = K_FINISHED;
 }
 
+#define FEW_FACES 8             // shapes of a medium asked one after the other
+
 /** Asks only what has the medium: whether the ray comes out of it again. */
 static int
 leaves(const struct k_scene *scene, const struct k_ray *ray, unsigned medium)
@@ -40,7 +42,12 @@ leaves(const struct k_scene *scene, const struct k_ray *ray, unsigned medium)
 
   probe.hit.t = HUGE_VAL;
   probe.hit.surface = NULL;
-  for (uint32_t i = 0; i < m->count; i++)
+  if (m->count > FEW_FACES)
+    {
+      probe.only = medium;      // the faces of a solid
+      K_CLOSEST(scene, &probe);
+    }
+  for (uint32_t i = 0; i < m->count && m->count <= FEW_FACES; i++)
     {
       k_ref_ask(scene, scene->medium_refs[m->first + i], &probe);
     }
