@@ -224,8 +224,7 @@ k_ask_unbounded(const struct k_scene *scene, struct k_ray *ray)
 {
   if (ray->only)
     {
-      k_tree_ask(scene, ray, 0);
-      return;
+      return;                   // the faces of a mesh are in the tree
     }
   for (uint32_t i = 0; i < scene->plane_count; i++)
     {
