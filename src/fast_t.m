@@ -7,6 +7,7 @@
 #import "model_t.h"
 #import "ray_t.h"
 #include "kernel/k_ray.h"
+#include <alloca.h>
 
 /** A shape that did not describe itself. */
 struct user
@@ -180,26 +181,46 @@ depth_of(media_t *media)
   return depth;
 }
 
-- (struct k_vec) colorAt: (struct k_vec)o : (struct k_vec)d
-                counters: (struct counters *)counters
+/** With what each ray starts in. */
+- (void) trace: (struct eye_ray *)rays insideOf: (unsigned)count
+      counters: (struct counters *)counters
 {
-  if (![model mayStartInside: o])
-    {
-      return k_trace(scene, o, d, NULL, counters);
-    }
   NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
-  media_t *start = [self startOf: o : d];
-  struct k_media room[depth_of(start) + 1];
-  struct k_vec color = k_trace(scene, o, d,
-                               [self mediaOf: start into: room], counters);
+  const struct k_media *media[count];
+
+  for (unsigned i = 0; i < count; i++)
+    {
+      media_t *start = [model mayStartInside: &rays[i] : 1]
+        ? [self startOf: rays[i].o : rays[i].d] : nil;
+      media[i] = [self mediaOf: start
+                          into: alloca(depth_of(start)
+                                       * sizeof(struct k_media))];
+    }
+  k_trace(scene, rays, count, media, counters);
   [pool release];
-  return color;
+}
+
+- (void) trace: (struct eye_ray *)rays : (unsigned)count
+      counters: (struct counters *)counters
+{
+  if (![model mayStartInside: rays : count])
+    {
+      k_trace(scene, rays, count, NULL, counters);
+      return;
+    }
+  for (unsigned i = 0; i < count; i += EYE_RAYS)
+    {
+      [self trace: &rays[i] insideOf: MIN(count - i, EYE_RAYS)
+         counters: counters];
+    }
 }
 
 - (struct surface_pixel) surfaceAt: (struct k_vec)o : (struct k_vec)d
 {
   NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
-  media_t *start = [model mayStartInside: o] ? [self startOf: o : d] : nil;
+  struct eye_ray ray = { .o = o, .d = d };
+  media_t *start = [model mayStartInside: &ray : 1] ? [self startOf: o : d]
+    : nil;
   struct k_media room[depth_of(start) + 1];
   struct k_surface_hit hit = k_first_hit(scene, o, d,
                                          [self mediaOf: start into: room]);

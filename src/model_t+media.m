@@ -74,23 +74,26 @@ contains(const struct clear *clear, struct k_vec o)
 
 /** How many of `clear` a ray from o may start in: the first ones if o is on
     the lens. */
-- (unsigned) clearNear: (struct k_vec)o isOnLens: (BOOL *)is_on_lens
+static inline unsigned
+clear_near(const model_t *self, struct k_vec o, BOOL *is_on_lens)
 {
-  *is_on_lens = k_bounds_hold(&lens, o);
-  return *is_on_lens ? clear_at_lens : clear_count;
+  *is_on_lens = k_bounds_hold(&self->lens, o);
+  return *is_on_lens ? self->clear_at_lens : self->clear_count;
 }
 
-- (BOOL) mayStartInside: (struct k_vec)o
+- (BOOL) mayStartInside: (const struct eye_ray *)rays : (unsigned)ray_count
 {
-  BOOL is_on_lens;
-  unsigned count = [self clearNear: o isOnLens: &is_on_lens];
-
-  for (unsigned i = 0; i < count; i++)
+  for (unsigned k = 0; clear_count > 0 && k < ray_count; k++)
     {
-      if ((is_on_lens && clear[i].contains_lens)
-          || k_bounds_hold(&clear[i].box, o))
+      BOOL is_on_lens;
+      unsigned count = clear_near(self, rays[k].o, &is_on_lens);
+      for (unsigned i = 0; i < count; i++)
         {
-          return YES;
+          if ((is_on_lens && clear[i].contains_lens)
+              || k_bounds_hold(&clear[i].box, rays[k].o))
+            {
+              return YES;
+            }
         }
     }
   return NO;
@@ -100,7 +103,7 @@ contains(const struct clear *clear, struct k_vec o)
 {
   struct k_vec o = ray->pos->v;
   BOOL is_on_lens;
-  unsigned near = [self clearNear: o isOnLens: &is_on_lens], count = 0;
+  unsigned near = clear_near(self, o, &is_on_lens), count = 0;
   media_t *media = nil, *saved = ray->media;
 
   for (unsigned i = 0; i < near; i++)

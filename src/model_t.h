@@ -70,8 +70,8 @@ enum polygon_test
 /** Looks which objects a ray can start in, once all are complete. */
 - (void) findClear;
 
-/** NO when a ray that starts at o starts in air. */
-- (BOOL) mayStartInside: (struct k_vec)o;
+/** NO when all of these rays start in air. */
+- (BOOL) mayStartInside: (const struct eye_ray *)rays : (unsigned)count;
 
 /** The media an eye ray starts in: the clear objects that contain its pos, in
     the order in which it would leave them, the first on top. */

@@ -20,9 +20,9 @@
       for (unsigned x = w.x0; x < w.x1; x += STEP, tried++)
         {
           struct sample s = { .column = x, .row = camera->rows - 1 - y };
-          struct k_vec o, d;
-          [camera centralRay: s pos: &o dir: &d];
-          [engine colorAt: o : d counters: counters];
+          struct eye_ray ray;
+          [camera centralRay: s pos: &ray.o dir: &ray.d];
+          [engine trace: &ray : 1 counters: counters];
         }
     }
   return (double)pixels / tried;

@@ -224,7 +224,7 @@
 
   return k_plane_hit(&plane, o, d, t)
     && (test != POLYGON_CROSSINGS
-        || k_polygon_settle(&plane, o, d, ray->inverse, count, v, t));
+        || k_polygon_settle(&plane, o, d, count, v, t));
 }
 
 - (BOOL) holds: (ray_t *)ray at: (double)t

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define COST_OF_NODE 1.0f       // against asking one shape
+#define COST_OF_NODE 0.5f
 #define DEEP 40                 // from this level on lists are halved, which
                                 // ends within 32 more: K_DEEPEST
 #define TASK 4096               // shapes of a subtree that one thread builds

@@ -77,7 +77,7 @@ check(model_t *model, const char *media, int escapes, const char *what)
   notes_t *oracle = [[[notes_t alloc] initWithModel: model] autorelease];
 
   strcpy(seen, "nothing");
-  struct k_vec wanted = [oracle colorAt: o : down counters: &notes];
+  struct k_vec wanted = support_color(oracle, o, down, &notes);
   PASS(strcmp(seen, media) == 0 && (notes.escapes > 0) == escapes,
        "%s: %sair, %llu escapes", what, seen,
        (unsigned long long)notes.escapes);
@@ -86,7 +86,7 @@ check(model_t *model, const char *media, int escapes, const char *what)
       struct counters fast = { 0 };
       strcpy(seen, "nothing");
       engine->scene->isa = isas[k];
-      struct k_vec color = [engine colorAt: o : down counters: &fast];
+      struct k_vec color = support_color(engine, o, down, &fast);
       PASS(strcmp(seen, media) == 0 && fast.escapes == notes.escapes
            && support_same(color, wanted), "%s, %s: %sair, %llu escapes",
            what, isas[k]->name, seen, (unsigned long long)fast.escapes);
@@ -165,8 +165,8 @@ edges(void)
           struct k_vec edge = k_along(at[0][k], support_unit(&random), z);
           struct k_vec o = k_along(edge, 5, support_direction(&random));
           struct k_vec d = k_unit(k_sub(edge, o));
-          struct k_vec a = [oracle colorAt: o : d counters: &notes];
-          struct k_vec b = [engine colorAt: o : d counters: &fast];
+          struct k_vec a = support_color(oracle, o, d, &notes);
+          struct k_vec b = support_color(engine, o, d, &fast);
           wrong += !support_same(a, b);
           rays++;
           [inner release];
