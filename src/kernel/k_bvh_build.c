@@ -4,38 +4,16 @@
 // children to a node. The tree is a function of the scene alone: threads
 // build separate subtrees, which are put together in a fixed order.
 
-#include "k_bvh_build.h"
-#include "k_bvh_cut.h"
-#include <pthread.h>
+#include "k_bvh_work.h"
+#include "k_memory.h"
+#include "k_parallel.h"
 #include <stdlib.h>
 #include <string.h>
 
 #define COST_OF_NODE 1.0f       // against asking one shape
 #define DEEP 40                 // from this level on lists are halved, which
                                 // ends within 32 more: K_DEEPEST
-#define TASK 4096               // shapes of a subtree that one thread builds
-
-/** A subtree that is still to be built. */
-struct task
-{
-  struct k_range range;
-  unsigned depth;
-  uint32_t parent;              // node and slot of the tree it hangs on
-  int slot;
-  struct k_node *nodes;         // its own nodes, children from 0
-  uint32_t node_count, node_room;
-  unsigned deepest;
-  int is_short_of_memory;
-};
-
-struct builder
-{
-  struct k_item *items;
-  struct task top;              // the nodes above all tasks
-  struct task *tasks;
-  uint32_t task_count, task_room;
-  uint32_t next_task;           // atomic
-};
+#define TASK 32768              // shapes of a subtree that one thread builds
 
 struct child
 {
@@ -45,10 +23,17 @@ struct child
   float area;
 };
 
-/** Looks for the best cut; leaves the range as it is when asking its shapes is
-    cheaper than another node. */
+/** Several threads share the large lists, of which only the top has any. */
+static int
+is_wide(const struct builder *b, const struct k_range *r)
+{
+  return b->threads > 1 && r->count >= K_WIDE;
+}
+
+/** Looks for the best cut; it is a leaf when asking its shapes is cheaper than
+    another node. */
 static void
-consider(const struct k_item *items, struct child *c, unsigned depth)
+consider(const struct builder *b, struct child *c, unsigned depth)
 {
   const struct k_range *r = &c->range;
 
@@ -56,7 +41,14 @@ consider(const struct k_item *items, struct child *c, unsigned depth)
   c->is_leaf = r->count == 1;
   if (!c->is_leaf)
     {
-      c->cut = k_best_cut(items, r);
+      if (is_wide(b, r))
+        {
+          k_wide_cut(r, b->threads, &c->cut);
+        }
+      else
+        {
+          k_best_cut(r, &c->cut);
+        }
       if (depth > DEEP)
         {
           c->cut.axis = -1;
@@ -69,13 +61,13 @@ consider(const struct k_item *items, struct child *c, unsigned depth)
 
 /** Splits a range into as many as eight, the largest first. */
 static int
-children_of(struct k_item *items, const struct k_range *r,
+children_of(const struct builder *b, const struct k_range *r,
             struct child *children, unsigned depth)
 {
   int count = 1;
 
   children[0].range = *r;
-  consider(items, &children[0], depth);
+  consider(b, &children[0], depth);
   while (count < K_WIDTH)
     {
       int widest = -1;
@@ -91,33 +83,26 @@ children_of(struct k_item *items, const struct k_range *r,
         {
           break;
         }
-      struct child parent = children[widest];
-      k_split(items, &parent.range, &parent.cut, &children[widest].range,
-            &children[count].range);
-      consider(items, &children[widest], depth);
-      consider(items, &children[count], depth);
-      count++;
+      struct child *left = &children[widest], *right = &children[count++];
+      if (is_wide(b, &left->range))
+        {
+          k_wide_split(&left->range, &left->cut, b->threads, &left->range,
+                       &right->range);
+        }
+      else
+        {
+          k_split(&left->range, &left->cut, &left->range, &right->range);
+        }
+      consider(b, left, depth);
+      consider(b, right, depth);
     }
   return count;
 }
 
-/** A new node with the children's boxes; its index in the task. */
-static uint32_t
-add_node(struct task *t, const struct child *children, int count)
+/** Fills in the children's boxes. */
+static void
+set_boxes(struct k_node *node, const struct child *children, int count)
 {
-  if (t->node_count == t->node_room)
-    {
-      uint32_t room = t->node_room ? 2 * t->node_room : 64;
-      struct k_node *nodes = realloc(t->nodes, room * sizeof *nodes);
-      if (!nodes)
-        {
-          t->is_short_of_memory = 1;
-          return 0;
-        }
-      t->nodes = nodes;
-      t->node_room = room;
-    }
-  struct k_node *node = &t->nodes[t->node_count];
   for (int i = 0; i < K_WIDTH; i++)
     {
       struct k_box box = i < count ? children[i].range.box : k_no_box();
@@ -131,7 +116,6 @@ add_node(struct task *t, const struct child *children, int count)
         }
       node->child[i] = 0;
     }
-  return t->node_count++;
 }
 
 static void
@@ -150,122 +134,122 @@ put_off(struct builder *b, const struct k_range *r, unsigned depth,
       b->tasks = tasks;
       b->task_room = room;
     }
-  struct task *t = &b->tasks[b->task_count++];
-  memset(t, 0, sizeof *t);
-  t->range = *r;
-  t->depth = depth;
-  t->parent = parent;
-  t->slot = slot;
+  b->tasks[b->task_count++] = (struct task){
+    .range = *r, .depth = depth, .parent = parent, .slot = slot
+  };
 }
 
-/** Makes a node of a range and all below it; its index in the task. Above the
-    tasks (t is b->top) the subtrees that are small enough are put off. */
+/** Lists the shapes of a leaf; what the leaf is as a child. */
 static uint32_t
-build(struct builder *b, struct task *t, const struct k_range *r,
+make_leaf(struct builder *b, const struct k_range *r)
+{
+  for (uint32_t i = 0; i < r->count; i++)
+    {
+      b->refs[r->first + i] = r->items[i].ref;
+    }
+  return K_LEAF | r->first << 3 | (r->count - 1);
+}
+
+/** Makes a node of a range and all below it; its number from the start of the
+    task. In the top the subtrees that are small enough are put off. */
+static uint32_t
+build(struct builder *b, struct worker *w, const struct k_range *r,
       unsigned depth)
 {
   struct child children[K_WIDTH];
-  int count = children_of(b->items, r, children, depth);
-  uint32_t index = add_node(t, children, count);
+  int count = children_of(b, r, children, depth);
+  uint32_t number = k_worker_node(w);
 
-  t->deepest = depth > t->deepest ? depth : t->deepest;
-  for (int i = 0; i < count && !t->is_short_of_memory; i++)
+  if (w->is_short_of_memory)
+    {
+      return 0;
+    }
+  struct k_node *node = k_node_at(w, number);
+  set_boxes(node, children, count);
+  w->depth = depth > w->depth ? depth : w->depth;
+  for (int i = 0; i < count && !w->is_short_of_memory; i++)
     {
       const struct k_range *c = &children[i].range;
+      w->cost += (double)children[i].area
+        * (children[i].is_leaf ? c->count : 1);
       if (children[i].is_leaf)
         {
-          t->nodes[index].child[i] = K_LEAF | c->first << 3 | (c->count - 1);
+          node->child[i] = make_leaf(b, c);
         }
-      else if (t == &b->top && c->count <= TASK)
+      else if (w == &b->top && c->count <= TASK)
         {
-          put_off(b, c, depth + 1, index, i);
+          put_off(b, c, depth + 1, number, i);
         }
       else
         {
-          uint32_t child = build(b, t, c, depth + 1);
-          t->nodes[index].child[i] = child;
+          node->child[i] = build(b, w, c, depth + 1) - w->start;
         }
     }
-  return index;
+  return number;
 }
 
-static void *
-work(void *builder)
+/** Builds tasks as long as there are any. */
+static void
+work(void *builder, unsigned number)
 {
   struct builder *b = builder;
+  struct worker *w = &b->workers[number];
   uint32_t i;
 
-  while ((i = __atomic_fetch_add(&b->next_task, 1, __ATOMIC_RELAXED))
-         < b->task_count)
+  while ((i = k_take(&b->next_task, b->task_count)) < b->task_count)
     {
       struct task *t = &b->tasks[i];
-      struct k_range r = t->range;
-      build(b, t, &r, t->depth);
+      w->start = w->node_count;
+      w->cost = 0;
+      w->depth = 0;
+      build(b, w, &t->range, t->depth);
+      t->worker = number;
+      t->node_count = w->node_count - w->start;
+      t->cost = w->cost;
+      t->deepest = w->depth;
     }
-  return NULL;
 }
 
-/** Builds the tasks with this and other threads. */
-static void
-run_tasks(struct builder *b, unsigned threads)
+/** The largest first, which leaves the least to wait for at the end. */
+static int
+by_size(const void *p, const void *q)
 {
-  pthread_t others[threads];
-  unsigned started = 0;
+  const struct task *a = p, *b = q;
 
-  while (started + 1 < threads
-         && pthread_create(&others[started], NULL, work, b) == 0)
-    {
-      started++;
-    }
-  work(b);
-  while (started)
-    {
-      pthread_join(others[--started], NULL);
-    }
+  return a->range.count != b->range.count
+    ? (a->range.count > b->range.count ? -1 : 1)
+    : a->range.first < b->range.first ? -1 : 1;
 }
 
-/** Hangs all subtrees on the top, in order. */
+static struct k_range
+all_of(struct k_item *items, struct k_item *spare, uint32_t count)
+{
+  struct k_range all = { items, spare, 0, count, k_no_box(), k_no_box() };
+
+  for (uint32_t i = 0; i < count; i++)
+    {
+      k_include(&all, &items[i]);
+    }
+  return all;
+}
+
 static enum k_status
-put_together(struct builder *b, struct k_tree *tree)
+build_all(struct builder *b, struct k_tree *tree, struct k_item *items,
+          struct k_item *spare, uint32_t count)
 {
-  uint32_t total = b->top.node_count;
-  int is_short = b->top.is_short_of_memory;
+  struct k_range all = all_of(items, spare, count);
+  double area = k_half_area(all.box);
 
-  tree->depth = b->top.deepest;
-  for (uint32_t i = 0; i < b->task_count; i++)
-    {
-      const struct task *t = &b->tasks[i];
-      total += t->node_count;
-      is_short |= t->is_short_of_memory;
-      tree->depth = t->deepest > tree->depth ? t->deepest : tree->depth;
-    }
-  struct k_node *nodes = is_short ? NULL
-    : aligned_alloc(64, (total * sizeof *nodes + 63) / 64 * 64);
-  if (!nodes)
+  build(b, &b->top, &all, 1);
+  qsort(b->tasks, b->task_count, sizeof *b->tasks, by_size);
+  k_in_parallel(b->threads, work, b);
+  tree->refs = b->refs;
+  tree->ref_count = count;
+  if (!k_put_together(b, tree))
     {
       return K_NO_MEMORY;
     }
-  memcpy(nodes, b->top.nodes, b->top.node_count * sizeof *nodes);
-  uint32_t at = b->top.node_count;
-  for (uint32_t i = 0; i < b->task_count; i++)
-    {
-      const struct task *t = &b->tasks[i];
-      nodes[t->parent].child[t->slot] = at;
-      for (uint32_t k = 0; k < t->node_count; k++)
-        {
-          struct k_node *node = &nodes[at + k];
-          *node = t->nodes[k];
-          for (int c = 0; c < K_WIDTH; c++)
-            {
-              // 0 is no node's child: an empty slot.
-              node->child[c] += node->child[c] & K_LEAF
-                || node->child[c] == 0 ? 0 : at;
-            }
-        }
-      at += t->node_count;
-    }
-  tree->nodes = nodes;
-  tree->node_count = total;
+  tree->cost = area > 0 ? 1 + tree->cost / area : 0;
   return K_OK;
 }
 
@@ -273,23 +257,21 @@ enum k_status
 k_bvh_build(struct k_tree *tree, struct k_item *items, uint32_t count,
             unsigned threads)
 {
-  struct builder b = { .items = items };
-  struct k_range all = k_empty_range(0);
-  enum k_status status;
+  enum k_status status = K_NO_MEMORY;
+  struct k_item *spare = k_large_new(count * sizeof *spare);
+  struct builder b = { .threads = count > TASK ? threads : 1 };
 
-  for (uint32_t i = 0; i < count; i++)
+  b.workers = calloc(b.threads, sizeof *b.workers);
+  b.refs = malloc(count * sizeof *b.refs);
+  if (spare && b.workers && b.refs)
     {
-      k_include(&all, &items[i]);
+      status = build_all(&b, tree, items, spare, count);
     }
-  all.count = count;
-  build(&b, &b.top, &all, 1);
-  run_tasks(&b, threads);
-  status = put_together(&b, tree);
-  for (uint32_t i = 0; i < b.task_count; i++)
+  else
     {
-      free(b.tasks[i].nodes);
+      free(b.refs);
     }
-  free(b.tasks);
-  free(b.top.nodes);
+  k_builder_free(&b);
+  free(spare);
   return status;
 }

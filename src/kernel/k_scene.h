@@ -89,6 +89,7 @@ struct k_tree
   struct k_vec center;
   double scale;                 // a power of two
   unsigned depth;
+  double cost;                  // see k_facts
 };
 
 struct k_scene
