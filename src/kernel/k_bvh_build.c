@@ -1,8 +1,8 @@
-// k_bvh_build.c - the tree over all shapes with a box: split top down where
-// the surface area heuristic, in bins, expects the least work (Wald, "On fast
-// Construction of SAH-based Bounding Volume Hierarchies", 2007), eight
-// children to a node. The tree is a function of the scene alone: threads
-// build separate subtrees, which are put together in a fixed order.
+// k_bvh_build.c - the tree over all shapes with a box: lists are cut in two
+// where the surface area heuristic, in bins, expects the least work (Wald, "On
+// fast Construction of SAH-based Bounding Volume Hierarchies", 2007), down to
+// single shapes. The tree is a function of the scene alone: threads share the
+// long lists, and take one each of the shorter ones.
 
 #include "k_bvh_work.h"
 #include "k_memory.h"
@@ -10,215 +10,119 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define COST_OF_NODE 1.0f       // against asking one shape
-#define DEEP 40                 // from this level on lists are halved, which
+#define DEEP 64                 // from this fork on lists are halved, which
                                 // ends within 32 more: K_DEEPEST
-#define TASK 32768              // shapes of a subtree that one thread builds
 
-struct child
+/** A fork of a range; its parts. */
+static void
+split(const struct builder *b, const struct k_range *r, uint32_t fork,
+      unsigned depth, struct k_range *left, struct k_range *right)
 {
-  struct k_range range;
+  int is_wide = b->threads > 1 && r->count >= K_WIDE;
   struct k_cut cut;
-  int is_leaf;
-  float area;
-};
 
-/** Several threads share the large lists, of which only the top has any. */
+  cut.axis = -1;
+  if (depth <= DEEP && is_wide)
+    {
+      k_wide_cut(r, b->threads, &cut);
+    }
+  else if (depth <= DEEP)
+    {
+      k_best_cut(r, &cut);
+    }
+  if (is_wide)
+    {
+      k_wide_split(r, &cut, b->threads, left, right);
+    }
+  else
+    {
+      k_split(r, &cut, left, right);
+    }
+  k_fork_set(&b->forks[fork], r->box, left->count);
+}
+
+/** Makes the forks of a range. */
+static void
+fork_all(const struct builder *b, const struct k_range *r, uint32_t fork,
+         unsigned depth, struct k_roots *roots)
+{
+  struct k_roots of_left, of_right;
+  struct k_range left, right;
+  float area = k_half_area(r->box);
+
+  if (r->count == 1)
+    {
+      b->items[r->first] = r->items[0];
+      k_roots_of_one(roots, area);
+      return;
+    }
+  split(b, r, fork, depth, &left, &right);
+  fork_all(b, &left, fork + 1, depth + 1, &of_left);
+  fork_all(b, &right, fork + left.count, depth + 1, &of_right);
+  k_roots_join(roots, &b->forks[fork], r->count, area, &of_left, &of_right);
+}
+
+/** Makes the forks at the top and puts off the tasks below them. 0: no
+    memory. */
 static int
-is_wide(const struct builder *b, const struct k_range *r)
+fork_top(struct builder *b, const struct k_range *r, uint32_t fork,
+         unsigned depth)
 {
-  return b->threads > 1 && r->count >= K_WIDE;
-}
-
-/** Looks for the best cut; it is a leaf when asking its shapes is cheaper than
-    another node. */
-static void
-consider(const struct builder *b, struct child *c, unsigned depth)
-{
-  const struct k_range *r = &c->range;
-
-  c->area = k_half_area(r->box);
-  c->is_leaf = r->count == 1;
-  if (!c->is_leaf)
+  if (r->count > K_TASK)
     {
-      if (is_wide(b, r))
-        {
-          k_wide_cut(r, b->threads, &c->cut);
-        }
-      else
-        {
-          k_best_cut(r, &c->cut);
-        }
-      if (depth > DEEP)
-        {
-          c->cut.axis = -1;
-        }
-      c->is_leaf = r->count <= K_LEAF_MOST
-        && (c->cut.axis < 0
-            || c->cut.cost + COST_OF_NODE * c->area >= r->count * c->area);
+      struct k_range left, right;
+      split(b, r, fork, depth, &left, &right);
+      return fork_top(b, &left, fork + 1, depth + 1)
+        && fork_top(b, &right, fork + left.count, depth + 1);
     }
-}
-
-/** Splits a range into as many as eight, the largest first. */
-static int
-children_of(const struct builder *b, const struct k_range *r,
-            struct child *children, unsigned depth)
-{
-  int count = 1;
-
-  children[0].range = *r;
-  consider(b, &children[0], depth);
-  while (count < K_WIDTH)
-    {
-      int widest = -1;
-      for (int i = 0; i < count; i++)
-        {
-          if (!children[i].is_leaf
-              && (widest < 0 || children[i].area > children[widest].area))
-            {
-              widest = i;
-            }
-        }
-      if (widest < 0)
-        {
-          break;
-        }
-      struct child *left = &children[widest], *right = &children[count++];
-      if (is_wide(b, &left->range))
-        {
-          k_wide_split(&left->range, &left->cut, b->threads, &left->range,
-                       &right->range);
-        }
-      else
-        {
-          k_split(&left->range, &left->cut, &left->range, &right->range);
-        }
-      consider(b, left, depth);
-      consider(b, right, depth);
-    }
-  return count;
-}
-
-/** Fills in the children's boxes. */
-static void
-set_boxes(struct k_node *node, const struct child *children, int count)
-{
-  for (int i = 0; i < K_WIDTH; i++)
-    {
-      struct k_box box = i < count ? children[i].range.box : k_no_box();
-      float least[4], most[4];
-      f4_store(least, box.least);
-      f4_store(most, box.most);
-      for (int axis = 0; axis < 3; axis++)
-        {
-          node->bounds[axis][i] = least[axis];
-          node->bounds[axis + 3][i] = most[axis];
-        }
-      node->child[i] = 0;
-    }
-}
-
-static void
-put_off(struct builder *b, const struct k_range *r, unsigned depth,
-        uint32_t parent, int slot)
-{
   if (b->task_count == b->task_room)
     {
       uint32_t room = b->task_room ? 2 * b->task_room : 64;
       struct task *tasks = realloc(b->tasks, room * sizeof *tasks);
       if (!tasks)
         {
-          b->top.is_short_of_memory = 1;
-          return;
+          return 0;
         }
       b->tasks = tasks;
       b->task_room = room;
     }
   b->tasks[b->task_count++] = (struct task){
-    .range = *r, .depth = depth, .parent = parent, .slot = slot
+    .range = *r, .fork = fork, .depth = depth
   };
+  return 1;
 }
 
-/** Lists the shapes of a leaf; what the leaf is as a child. */
-static uint32_t
-make_leaf(struct builder *b, const struct k_range *r)
-{
-  for (uint32_t i = 0; i < r->count; i++)
-    {
-      b->refs[r->first + i] = r->items[i].ref;
-    }
-  return K_LEAF | r->first << 3 | (r->count - 1);
-}
-
-/** Makes a node of a range and all below it; its number from the start of the
-    task. In the top the subtrees that are small enough are put off. */
-static uint32_t
-build(struct builder *b, struct worker *w, const struct k_range *r,
-      unsigned depth)
-{
-  struct child children[K_WIDTH];
-  int count = children_of(b, r, children, depth);
-  uint32_t number = k_worker_node(w);
-
-  if (w->is_short_of_memory)
-    {
-      return 0;
-    }
-  struct k_node *node = k_node_at(w, number);
-  set_boxes(node, children, count);
-  w->depth = depth > w->depth ? depth : w->depth;
-  for (int i = 0; i < count && !w->is_short_of_memory; i++)
-    {
-      const struct k_range *c = &children[i].range;
-      w->cost += (double)children[i].area
-        * (children[i].is_leaf ? c->count : 1);
-      if (children[i].is_leaf)
-        {
-          node->child[i] = make_leaf(b, c);
-        }
-      else if (w == &b->top && c->count <= TASK)
-        {
-          put_off(b, c, depth + 1, number, i);
-        }
-      else
-        {
-          node->child[i] = build(b, w, c, depth + 1) - w->start;
-        }
-    }
-  return number;
-}
-
-/** Builds tasks as long as there are any. */
+/** Makes the forks of tasks as long as there are any. */
 static void
-work(void *builder, unsigned number)
+fork_tasks(void *builder, unsigned thread)
 {
   struct builder *b = builder;
-  struct worker *w = &b->workers[number];
   uint32_t i;
 
+  (void)thread;
   while ((i = k_take(&b->next_task, b->task_count)) < b->task_count)
     {
       struct task *t = &b->tasks[i];
-      w->start = w->node_count;
-      w->cost = 0;
-      w->depth = 0;
-      build(b, w, &t->range, t->depth);
-      t->worker = number;
-      t->node_count = w->node_count - w->start;
-      t->cost = w->cost;
-      t->deepest = w->depth;
+      fork_all(b, &t->range, t->fork, t->depth, &t->roots);
     }
 }
 
-/** The largest first, which leaves the least to wait for at the end. */
-static int
-by_size(const void *p, const void *q)
+/** Goes through the forks at the top once more: what all costs. */
+static void
+join_top(struct builder *b, uint32_t fork, uint32_t count,
+         struct k_roots *roots)
 {
-  const struct task *a = p, *b = q;
+  if (count <= K_TASK)
+    {
+      *roots = b->tasks[b->next_task++].roots;
+      return;
+    }
+  struct k_roots left, right;
+  struct k_fork *f = &b->forks[fork];
 
-  return a->range.count != b->range.count
-    ? (a->range.count > b->range.count ? -1 : 1)
-    : a->range.first < b->range.first ? -1 : 1;
+  join_top(b, fork + 1, f->left, &left);
+  join_top(b, fork + f->left, count - f->left, &right);
+  k_roots_join(roots, f, count, k_fork_area(f), &left, &right);
 }
 
 static struct k_range
@@ -233,45 +137,40 @@ all_of(struct k_item *items, struct k_item *spare, uint32_t count)
   return all;
 }
 
-static enum k_status
-build_all(struct builder *b, struct k_tree *tree, struct k_item *items,
-          struct k_item *spare, uint32_t count)
+/** Makes all forks; with one shape there is none. 0: no memory. */
+static int
+make_forks(struct builder *b, struct k_roots *roots)
 {
-  struct k_range all = all_of(items, spare, count);
-  double area = k_half_area(all.box);
+  struct k_item *spare = k_large_new(b->count * sizeof *spare);
+  int is_done = 0;
 
-  build(b, &b->top, &all, 1);
-  qsort(b->tasks, b->task_count, sizeof *b->tasks, by_size);
-  k_in_parallel(b->threads, work, b);
-  tree->refs = b->refs;
-  tree->ref_count = count;
-  if (!k_put_together(b, tree))
+  b->forks = k_large_new(b->count * sizeof *b->forks);
+  if (spare && b->forks)
     {
-      return K_NO_MEMORY;
+      struct k_range all = all_of(b->items, spare, b->count);
+      b->area = k_half_area(all.box);
+      is_done = fork_top(b, &all, 0, 1);
     }
-  tree->cost = area > 0 ? 1 + tree->cost / area : 0;
-  return K_OK;
+  if (is_done)
+    {
+      k_in_parallel(b->threads, fork_tasks, b);
+      b->next_task = 0;
+      join_top(b, 0, b->count, roots);
+    }
+  free(spare);
+  return is_done;
 }
 
 enum k_status
 k_bvh_build(struct k_tree *tree, struct k_item *items, uint32_t count,
             unsigned threads)
 {
-  enum k_status status = K_NO_MEMORY;
-  struct k_item *spare = k_large_new(count * sizeof *spare);
-  struct builder b = { .threads = count > TASK ? threads : 1 };
+  struct builder b = { .threads = count > K_TASK ? threads : 1,
+                       .items = items, .count = count };
+  struct k_roots roots;
+  int is_done = make_forks(&b, &roots) && k_nodes_make(&b, &roots, tree);
 
-  b.workers = calloc(b.threads, sizeof *b.workers);
-  b.refs = malloc(count * sizeof *b.refs);
-  if (spare && b.workers && b.refs)
-    {
-      status = build_all(&b, tree, items, spare, count);
-    }
-  else
-    {
-      free(b.refs);
-    }
-  k_builder_free(&b);
-  free(spare);
-  return status;
+  free(b.forks);
+  free(b.tasks);
+  return is_done ? K_OK : K_NO_MEMORY;
 }

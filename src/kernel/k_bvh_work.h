@@ -1,64 +1,43 @@
-// k_bvh_work.h - who builds what of the tree, and where the nodes are kept
-// until all are there.
+// k_bvh_work.h - the state of building a tree: first all forks, from the top
+// down, then the nodes.
 
 #ifndef K_BVH_WORK_H
 #define K_BVH_WORK_H
 
-#include "k_bvh_cut.h"
+#include "k_bvh_fork.h"
 
-#define K_BLOCK 8192            // nodes
+#define K_TASK 32768            // longest list that one thread has to itself
 
-/** A thread and the nodes that it has made, in blocks. */
-struct worker
-{
-  struct k_node **blocks;
-  uint32_t block_count, block_room;
-  uint32_t node_count;
-  int is_short_of_memory;
-  uint32_t start;               // first node of the task in hand
-  unsigned depth;               // its deepest level
-  double cost;                  // and what its children cost, see k_facts.c
-};
-
-/** A subtree that is put off, and what became of it. */
+/** A part of the tree that one thread makes. */
 struct task
 {
   struct k_range range;
-  unsigned depth;
-  uint32_t parent;              // node and slot of the top it hangs on
-  int slot;
-  unsigned worker;              // who built it
-  uint32_t node_count;
-  unsigned deepest;
-  double cost;
-  uint32_t at;                  // where its nodes go
+  uint32_t fork;                // the first of its forks
+  unsigned depth;               // of that
+  struct k_roots roots;
+  unsigned most;                // children that it is of the node above it
+  struct k_node *node;          // that node,
+  unsigned slot, level;         // the first of these children, its level
+  uint32_t first_node;          // of those that are made
+  unsigned deepest;             // level of these
+  double cost;                  // see k_tree
 };
 
 struct builder
 {
   unsigned threads;
-  struct worker top;            // the nodes above all tasks
-  struct worker *workers;       // one per thread
-  struct task *tasks;
+  uint32_t count;
+  struct k_item *items;         // in the end in the order of the leaves
+  struct k_fork *forks;
+  float area;                   // half that of the box of all
+  struct task *tasks;           // in the order of their items
   uint32_t task_count, task_room;
   uint32_t next_task;           // atomic
-  struct k_ref *refs;           // of the tree
-  struct k_tree *tree;          // that is put together
+  struct k_tree *tree;
 };
 
-/** A new node; its number. */
-uint32_t k_worker_node(struct worker *w);
-
-static inline struct k_node *
-k_node_at(const struct worker *w, uint32_t number)
-{
-  return &w->blocks[number / K_BLOCK][number % K_BLOCK];
-}
-
-/** Makes tree->nodes of what the workers have, the top first and then the
-    tasks in their order. 0: no memory. */
-int k_put_together(struct builder *b, struct k_tree *tree);
-
-void k_builder_free(struct builder *b);
+/** Makes the nodes and the list of shapes of the forks. 0: no memory. */
+int k_nodes_make(struct builder *b, const struct k_roots *roots,
+                 struct k_tree *tree);
 
 #endif

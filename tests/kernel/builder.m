@@ -39,15 +39,19 @@
 #define k_split plain_split
 #define k_wide_cut plain_wide_cut
 #define k_wide_split plain_wide_split
-#define k_worker_node plain_worker_node
-#define k_put_together plain_put_together
-#define k_builder_free plain_builder_free
+#define k_roots_join plain_roots_join
+#define k_fork_left plain_fork_left
+#define k_fork_is_leaf plain_fork_is_leaf
+#define k_fork_left_of_node plain_fork_left_of_node
+#define k_nodes_make plain_nodes_make
 enum k_status plain_bvh_build(struct k_tree *tree, struct k_item *items,
                               uint32_t count, unsigned threads);
 #include "kernel/k_bvh_build.c"
 #include "kernel/k_bvh_cut.c"
+#include "kernel/k_bvh_fork.c"
+#undef LEAF
+#include "kernel/k_bvh_nodes.c"
 #include "kernel/k_bvh_wide.c"
-#include "kernel/k_bvh_work.c"
 #undef k_bvh_build
 
 // Fewer in a build that is not optimised.
