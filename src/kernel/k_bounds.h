@@ -35,6 +35,19 @@ k_nothing(void)
   return b;
 }
 
+/** The box round both; k_nothing() adds nothing. */
+static inline struct k_bounds
+k_bounds_join(struct k_bounds a, struct k_bounds b)
+{
+  a.least.x = b.least.x < a.least.x ? b.least.x : a.least.x;
+  a.least.y = b.least.y < a.least.y ? b.least.y : a.least.y;
+  a.least.z = b.least.z < a.least.z ? b.least.z : a.least.z;
+  a.most.x = b.most.x > a.most.x ? b.most.x : a.most.x;
+  a.most.y = b.most.y > a.most.y ? b.most.y : a.most.y;
+  a.most.z = b.most.z > a.most.z ? b.most.z : a.most.z;
+  return a;
+}
+
 static inline int
 k_is_unbounded(struct k_bounds b)
 {
@@ -46,11 +59,9 @@ k_is_unbounded(struct k_bounds b)
 static inline struct k_bounds
 k_bounds_include(struct k_bounds b, struct k_vec p)
 {
-  b.least = k_vec(fmin(b.least.x, p.x), fmin(b.least.y, p.y),
-                  fmin(b.least.z, p.z));
-  b.most = k_vec(fmax(b.most.x, p.x), fmax(b.most.y, p.y),
-                 fmax(b.most.z, p.z));
-  return b;
+  struct k_bounds point = { p, p };
+
+  return k_bounds_join(b, point);
 }
 
 /** The largest side. */

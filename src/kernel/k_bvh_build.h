@@ -9,16 +9,16 @@
     so that the box loads as two vectors. */
 struct k_item
 {
-  float least[3];
-  struct k_ref ref;
+  float least[3], zero;
   float most[3];
-  uint32_t nothing;
+  struct k_ref ref;
 };
 
 _Static_assert(sizeof(struct k_item) == 32, "two vectors of four floats");
 
-/** Builds tree->nodes over `count` > 0 items, whose order changes: leaves
-    refer to places in it. The same tree for any number of threads. */
+/** Builds tree->nodes over `count` > 0 items, which do not outlast it, and
+    lists them in tree->refs in the order of the leaves. The same tree for any
+    number of threads. */
 enum k_status k_bvh_build(struct k_tree *tree, struct k_item *items,
                           uint32_t count, unsigned threads);
 

@@ -3,6 +3,9 @@
 
 #include "k_bvh_build.h"
 #include "k_float.h"
+#include "k_memory.h"
+#include "k_parallel.h"
+#include <pthread.h>
 #include <stdlib.h>
 
 /** The box of a shape in the world, as its class has it. */
@@ -42,86 +45,146 @@ box_of(const struct k_scene *scene, struct k_ref ref)
   return k_unbounded();
 }
 
-static uint32_t
-gather(const struct k_scene *scene, struct k_item *items)
-{
-  const uint32_t counts[] = { scene->sphere_count, scene->polygon_count,
-                              scene->convex_count, scene->user_count };
-  uint32_t n = 0;
+#define PIECE 8192              // shapes that a thread takes at once
 
-  for (int kind = K_SPHERE; kind <= K_USER; kind++)
+/** All shapes that go into the tree, in the order of their kinds. */
+struct shapes
+{
+  const struct k_scene *scene;
+  uint32_t counts[K_USER + 1], count;
+  uint32_t *users;              // those with a box
+  struct k_tree *tree;
+  struct k_item *items;
+  uint32_t next;                // piece, atomic
+  struct k_bounds all;          // the box of their boxes
+  pthread_mutex_t lock;         // of that
+};
+
+static struct k_ref
+ref_of(const struct shapes *s, uint32_t i)
+{
+  struct k_ref ref = { K_SPHERE, 0 };
+
+  for (; i >= s->counts[ref.kind]; ref.kind++)
     {
-      for (uint32_t i = 0; i < counts[kind]; i++)
+      i -= s->counts[ref.kind];
+    }
+  ref.index = ref.kind == K_USER ? s->users[i] : i;
+  return ref;
+}
+
+/** A piece that nobody has taken: its first and the one after its last. */
+static int
+take(struct shapes *s, uint32_t *first, uint32_t *end)
+{
+  uint32_t pieces = (s->count + PIECE - 1) / PIECE;
+  uint32_t i = k_take(&s->next, pieces);
+
+  *first = i * PIECE;
+  *end = i + 1 < pieces ? *first + PIECE : s->count;
+  return i < pieces;
+}
+
+static void
+measure(void *context, unsigned thread)
+{
+  struct shapes *s = context;
+  struct k_bounds all = k_nothing();
+  uint32_t i, end;
+
+  (void)thread;
+  while (take(s, &i, &end))
+    {
+      for (; i < end; i++)
         {
-          struct k_ref ref = { kind, i };
-          if (kind != K_USER || k_has_box(scene->users[i].user.box))
+          all = k_bounds_join(all, box_of(s->scene, ref_of(s, i)));
+        }
+    }
+  pthread_mutex_lock(&s->lock);
+  s->all = k_bounds_join(s->all, all);
+  pthread_mutex_unlock(&s->lock);
+}
+
+/** Puts every box into the tree's coordinates. */
+static void
+convert(void *context, unsigned thread)
+{
+  struct shapes *s = context;
+  const struct k_tree *tree = s->tree;
+  uint32_t i, end;
+
+  (void)thread;
+  while (take(s, &i, &end))
+    {
+      for (; i < end; i++)
+        {
+          struct k_item *item = &s->items[i];
+          item->ref = ref_of(s, i);
+          item->zero = 0;
+          struct k_bounds box = box_of(s->scene, item->ref);
+          struct k_vec least = k_scale(k_sub(box.least, tree->center),
+                                       tree->scale);
+          struct k_vec most = k_scale(k_sub(box.most, tree->center),
+                                      tree->scale);
+          for (int axis = 0; axis < 3; axis++)
             {
-              items[n++].ref = ref;
+              item->least[axis] = k_float_below(k_component(least, axis));
+              item->most[axis] = k_float_above(k_component(most, axis));
             }
         }
     }
-  return n;
 }
 
-/** Chooses the tree's coordinates and puts every box into them. */
-static void
-normalise(const struct k_scene *scene, struct k_tree *tree,
-          struct k_item *items, uint32_t n)
+/** Counts what goes into the tree. 0: no memory. */
+static int
+count_shapes(struct shapes *s)
 {
-  struct k_bounds all = k_nothing();
+  const struct k_scene *scene = s->scene;
+  uint32_t *boxed = &s->counts[K_USER];
 
-  for (uint32_t i = 0; i < n; i++)
+  s->counts[K_SPHERE] = scene->sphere_count;
+  s->counts[K_POLYGON] = scene->polygon_count;
+  s->counts[K_CONVEX] = scene->convex_count;
+  s->users = malloc((scene->user_count + 1) * sizeof *s->users);
+  for (uint32_t i = 0; s->users && i < scene->user_count; i++)
     {
-      struct k_bounds box = box_of(scene, items[i].ref);
-      all = k_bounds_include(k_bounds_include(all, box.least), box.most);
-    }
-  tree->center = k_scale(k_add(all.least, all.most), 0.5);
-  double size = k_exponent_scale(k_sub(all.most, all.least));
-  tree->scale = size > 0 ? 1 / size : 1;
-  for (uint32_t i = 0; i < n; i++)
-    {
-      struct k_bounds box = box_of(scene, items[i].ref);
-      struct k_vec least = k_scale(k_sub(box.least, tree->center),
-                                   tree->scale);
-      struct k_vec most = k_scale(k_sub(box.most, tree->center),
-                                  tree->scale);
-      for (int axis = 0; axis < 3; axis++)
+      if (k_has_box(scene->users[i].user.box))
         {
-          items[i].least[axis] = k_float_below(k_component(least, axis));
-          items[i].most[axis] = k_float_above(k_component(most, axis));
+          s->users[(*boxed)++] = i;
         }
-      items[i].nothing = 0;
     }
+  for (int kind = K_SPHERE; kind <= K_USER; kind++)
+    {
+      s->count += s->counts[kind];
+    }
+  return s->users != NULL;
 }
 
 enum k_status
 k_tree_make(struct k_scene *scene, unsigned threads)
 {
   struct k_tree *tree = &scene->tree;
-  uint32_t room = scene->sphere_count + scene->polygon_count
-    + scene->convex_count + scene->user_count;
-  struct k_item *items = malloc((room + 1) * sizeof *items);
-  enum k_status status = K_OK;
+  struct shapes s = { .scene = scene, .tree = tree, .all = k_nothing(),
+                      .lock = PTHREAD_MUTEX_INITIALIZER };
+  enum k_status status = count_shapes(&s) ? K_OK : K_NO_MEMORY;
 
-  if (!items)
+  if (s.count)
     {
-      return K_NO_MEMORY;
+      threads = s.count > PIECE ? threads : 1;
+      s.items = k_large_new(s.count * sizeof *s.items);
+      status = K_NO_MEMORY;
     }
-  tree->ref_count = gather(scene, items);
-  if (tree->ref_count)
+  if (s.items)
     {
-      normalise(scene, tree, items, tree->ref_count);
-      status = k_bvh_build(tree, items, tree->ref_count, threads);
-      tree->refs = malloc(tree->ref_count * sizeof *tree->refs);
-      if (!tree->refs)
-        {
-          status = K_NO_MEMORY;
-        }
-      for (uint32_t i = 0; tree->refs && i < tree->ref_count; i++)
-        {
-          tree->refs[i] = items[i].ref;
-        }
+      k_in_parallel(threads, measure, &s);
+      tree->center = k_scale(k_add(s.all.least, s.all.most), 0.5);
+      double size = k_exponent_scale(k_sub(s.all.most, s.all.least));
+      tree->scale = size > 0 ? 1 / size : 1;
+      s.next = 0;
+      k_in_parallel(threads, convert, &s);
+      status = k_bvh_build(tree, s.items, s.count, threads);
     }
-  free(items);
+  free(s.items);
+  free(s.users);
   return status;
 }

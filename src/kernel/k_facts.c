@@ -3,47 +3,6 @@
 #include "k_scene.h"
 #include <string.h>
 
-static double
-half_area(const struct k_node *node, int i)
-{
-  double x = (double)node->bounds[3][i] - node->bounds[0][i];
-  double y = (double)node->bounds[4][i] - node->bounds[1][i];
-  double z = (double)node->bounds[5][i] - node->bounds[2][i];
-
-  return x < 0 ? 0 : x * y + y * z + z * x;
-}
-
-/** The surface area heuristic's cost of the tree: one for a node, one for a
-    shape, by the chance that a ray through the root's box meets their box. */
-static double
-cost_of(const struct k_tree *tree)
-{
-  struct k_bounds all = k_nothing();
-  double sum = 0;
-
-  for (uint32_t n = 0; n < tree->node_count; n++)
-    {
-      const struct k_node *node = &tree->nodes[n];
-      for (int i = 0; i < K_WIDTH; i++)
-        {
-          uint32_t child = node->child[i];
-          sum += half_area(node, i) * (child & K_LEAF ? (child & 7) + 1 : 1);
-          if (n == 0 && half_area(node, i) > 0)
-            {
-              all = k_bounds_include(all, k_vec(node->bounds[0][i],
-                                                node->bounds[1][i],
-                                                node->bounds[2][i]));
-              all = k_bounds_include(all, k_vec(node->bounds[3][i],
-                                                node->bounds[4][i],
-                                                node->bounds[5][i]));
-            }
-        }
-    }
-  struct k_vec e = k_sub(all.most, all.least);
-  double area = e.x * e.y + e.y * e.z + e.z * e.x;
-  return area > 0 ? 1 + sum / area : 0;
-}
-
 static size_t
 bytes_of(const struct k_scene *scene)
 {
@@ -82,7 +41,7 @@ k_scene_facts(const struct k_scene *scene, struct k_facts *facts)
   facts->media = scene->media_count - 1;
   facts->nodes = scene->tree.node_count;
   facts->depth = scene->tree.depth;
-  facts->cost = cost_of(&scene->tree);
+  facts->cost = scene->tree.cost;
   facts->bytes = bytes_of(scene);
   facts->isa = scene->isa->name;
   facts->has_mirrors = scene->has_mirrors;

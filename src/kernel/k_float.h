@@ -8,19 +8,16 @@
 #include <stdint.h>
 #include <string.h>
 
-/** The next float up (step +1) or down (-1) in value, for finite x; the
-    largest goes to infinity. */
+/** The next float up in value (step +1), down (-1) or the same (0), for finite
+    x; the largest goes to infinity. A zero to be left has the sign of where it
+    comes from: what was rounded to it was not 0. */
 static inline float
 k_float_step(float x, int step)
 {
   int32_t bits;
 
-  if (x == 0)
-    {
-      return step > 0 ? 0x1p-149f : -0x1p-149f;
-    }
   memcpy(&bits, &x, sizeof bits);
-  bits += x > 0 ? step : -step;
+  bits += bits < 0 ? -step : step;
   memcpy(&x, &bits, sizeof bits);
   return x;
 }
@@ -31,7 +28,7 @@ k_float_below(double x)
 {
   float f = x > FLT_MAX && x < HUGE_VAL ? FLT_MAX : (float)x;
 
-  return f > x ? k_float_step(f, -1) : f;
+  return k_float_step(f, -(f > x));
 }
 
 /** The smallest float >= x. */
@@ -40,7 +37,7 @@ k_float_above(double x)
 {
   float f = x < -FLT_MAX && x > -HUGE_VAL ? -FLT_MAX : (float)x;
 
-  return f < x ? k_float_step(f, +1) : f;
+  return k_float_step(f, f < x);
 }
 
 #endif

@@ -68,7 +68,7 @@ struct k_ref
 
 #define K_WIDTH 8               // children of a node
 #define K_LEAF 0x80000000u      // a child that is a leaf:
-#define K_DEEPEST 80            // no tree has more levels
+#define K_DEEPEST 96            // no tree has more levels
 #define K_LEAF_MOST 8           // 1 + bits 0-2 shapes from bits 3-30 of refs
 
 /** A node: the boxes of up to 8 children, as floats rounded outwards, in
@@ -91,6 +91,7 @@ struct k_tree
   struct k_vec center;
   double scale;                 // a power of two
   unsigned depth;
+  double cost;                  // see k_facts
 };
 
 struct k_scene

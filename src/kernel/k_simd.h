@@ -26,6 +26,29 @@ static inline f4 f4_mul(f4 a, f4 b) { return _mm_mul_ps(a, b); }
 static inline f4 f4_min(f4 a, f4 b) { return _mm_min_ps(a, b); }
 static inline f4 f4_max(f4 a, f4 b) { return _mm_max_ps(a, b); }
 
+/** Bit i: a[i] < b[i]. */
+static inline unsigned
+f4_less(f4 a, f4 b)
+{
+  return _mm_movemask_ps(_mm_cmplt_ps(a, b));
+}
+
+/** x y z 0. */
+static inline f4
+f4_xyz(f4 a)
+{
+  return _mm_and_ps(a, _mm_castsi128_ps(_mm_setr_epi32(-1, -1, -1, 0)));
+}
+
+/** y z x w. */
+static inline f4
+f4_turn(f4 a)
+{
+  return _mm_shuffle_ps(a, a, _MM_SHUFFLE(3, 0, 2, 1));
+}
+
+static inline float f4_first(f4 a) { return _mm_cvtss_f32(a); }
+
 /** Each towards zero. */
 static inline void
 f4_to_ints(int32_t *to, f4 a)
@@ -57,6 +80,17 @@ f4_max(f4 a, f4 b)
 {
   F4_EACH(a.x[i] > b.x[i] ? a.x[i] : b.x[i]);
 }
+
+static inline unsigned
+f4_less(f4 a, f4 b)
+{
+  return (a.x[0] < b.x[0]) | (a.x[1] < b.x[1]) << 1
+    | (a.x[2] < b.x[2]) << 2 | (a.x[3] < b.x[3]) << 3;
+}
+
+static inline f4 f4_xyz(f4 a) { F4_EACH(i < 3 ? a.x[i] : 0); }
+static inline f4 f4_turn(f4 a) { F4_EACH(a.x[i < 3 ? (i + 1) % 3 : 3]); }
+static inline float f4_first(f4 a) { return a.x[0]; }
 
 static inline void
 f4_store(float *p, f4 a)

@@ -13,10 +13,9 @@ fi
 cat >pin.mdl <<'MDL'
 camera cam { pixeldim 8 6 worlddim 4 3 viewpoint 2 1.5 4 }
 material grey { ambient 2 2 2 }
-material glass { alpha .9 ior 1.5 }
 MDL
 for ((i = 0; i < 6000; i++)); do
-  echo "sphere s$i { material glass center $i 0 0 radius .4 }"
+  echo "sphere s$i { material grey center $i 0 0 radius .4 }"
   echo "polygon p$i { material grey vertex $i 0 0 vertex $i 1 0 vertex $i 1 1 }"
 done >>pin.mdl
 
