@@ -55,7 +55,8 @@ help_text(void)
 {
   NSMutableString *text = [NSMutableString stringWithString:
     @"usage: raytrace [OPTION]... SCENE -o FILE\n"
-    @"Traces the rays of a scene (.mdl or .nff) and writes the picture.\n"];
+    @"Traces the rays of a scene (.mdl or .nff, - is standard input) and"
+    @" writes the\npicture.\n"];
   struct settings standard;
 
   memset(&standard, 0, sizeof standard);

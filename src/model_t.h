@@ -4,6 +4,7 @@
 #import <Foundation/Foundation.h>
 #import "object_t.h"
 #import "media_t.h"
+#include "eye_ray.h"
 
 @class camera_t, light_t, diag_t;
 

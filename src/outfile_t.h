@@ -6,6 +6,10 @@
 // older file of that name as it was. Where the file system cannot do that,
 // the file is made beside its place when it is written, then renamed.
 //
+// No call gives a nameless file the name of another one. So when an older file
+// is replaced, the whole new one has a name beside it between two calls
+// (.raytrace-PID-RANDOM.tmp). Signals wait that long; SIGKILL does not.
+//
 // What is not an ordinary file (a device, a pipe) is written to directly. A
 // symbolic link stays; what it points to is replaced.
 

@@ -117,6 +117,11 @@ test_depth(void)
 {
   struct load deep = load_nested(10000);
 
+  load_write("n256.mdl", "include none.mdl\ninclude none.mdl\n");
+  load_write("n255.mdl", "include n256.mdl\ninclude n256.mdl\n");
+  load_write("n0.mdl", CAMERA "include n1.mdl\n");
+  PASS(load_file("n0.mdl", [NSArray array]).faults == 1,
+       "a depth that is reached again and again is told once");
   PASS(load_nested(257).model, "256 files deep");
   PASS(deep.faults == 1
        && [deep.report rangeOfString: @"n256.mdl:1:9: error: "].length
@@ -140,7 +145,8 @@ test_bomb(void)
 
   struct load load = load_file("w0.mdl", [NSArray array]);
 
-  PASS(load.model == nil && load.faults > 0, "2^40 files come to an end");
+  PASS(load.model == nil && load.faults == 1,
+       "2^40 files come to an end, and that is told once");
 }
 
 static void

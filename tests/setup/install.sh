@@ -17,6 +17,16 @@ done
 
 cp -r "$TMP/a prefix" "$TMP/moved"
 cd "$TMP" || exit
+for page in README.md docs/format.md docs/new-object.md; do
+  folder=$(dirname "moved/share/doc/raytrace/$page") broken=
+  while read -r link; do
+    [ -e "$folder/$link" ] || broken+="$link "
+  done < <(perl -ne 'while (/\]\(([^)#]+)/g) { print "$1\n" if $1 !~ /:/ }' \
+    "moved/share/doc/raytrace/$page")
+  same "$broken" "" "the links of the installed $page"
+done
+pass "the installed scenes are rendered" moved/bin/raytrace --check \
+  moved/share/doc/raytrace/scenes/walls.mdl
 version=$(sed -n 's/.*RAYTRACE_VERSION "\(.*\)"/\1/p' "$ROOT/src/version.h")
 same "$(moved/bin/raytrace --version | head -n 1)" "raytrace $version" \
   "the installed tool runs"
