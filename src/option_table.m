@@ -33,7 +33,7 @@ const struct option option_table[] = {
   { .name = "sampler", .value = "WORD", .kind = OPTION_WORD,
     .offset = AT(sampler), .words = "random grid", .is_shaping = YES,
     .help = "where in a pixel they go, for more than one: random, or grid"
-            " (N x N of them)" },
+            " (N is 4, 9, 16 ...)" },
   { .name = "exposure", .value = "N", .kind = OPTION_WHOLE,
     .offset = AT(exposure), .count = 1, .least = 1, .most = 1000 * MILLION,
     .is_shaping = YES,
@@ -60,8 +60,8 @@ const struct option option_table[] = {
             " notes; the picture is the same" },
   { .name = "isa", .value = "WORD", .kind = OPTION_WORD,
     .offset = AT(isa), .words = "best avx2 base",
-    .help = "the processor's instructions that the fast engine uses; the"
-            " picture does not depend on it" },
+    .help = "the processor's instructions that the fast engine uses: avx2,"
+            " base, or the best there are; the picture is the same" },
   { .letter = 'j', .name = "threads", .value = "N", .kind = OPTION_WHOLE,
     .offset = AT(threads), .count = 1, .most = 1024,
     .help = "threads that trace, 0 for one per core; the picture does not"
@@ -83,12 +83,12 @@ const struct option option_table[] = {
   { .heading = "Messages, on standard error",
     .name = "stats", .value = "WORD", .kind = OPTION_WORD,
     .offset = AT(stats), .words = "none text json", .may_be_bare = YES,
-    .help = "tell times and numbers of rays at the end, as text or as one"
-            " JSON object" },
+    .help = "tell times and numbers of rays at the end: text, which WORD may"
+            " be left out for, or json, one object" },
   { .name = "progress", .value = "WORD", .kind = OPTION_WORD,
     .offset = AT(progress), .words = "auto bar none",
-    .help = "show how much is done: auto is a bar on a terminal and nothing"
-            " elsewhere" },
+    .help = "show how much is done: bar, none, or auto: a bar on a terminal"
+            " and nothing elsewhere" },
   { .letter = 'q', .name = "quiet", .kind = OPTION_FLAG, .offset = AT(quiet),
     .help = "no warnings, no bar unless asked for" },
   { .letter = 'v', .name = "verbose", .kind = OPTION_FLAG,

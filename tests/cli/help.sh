@@ -23,6 +23,16 @@ for name in $names; do
   same "${said/unknown/}" "$said" "the tool knows --$name"
 done
 
+# What an option takes is in its help: the tool tells its words.
+for name in $names; do
+  words=$("$RAYTRACE" "--$name=?" 2>&1 |
+    sed -nE "s/.* takes (one|some) of (.*), (not|with commas).*/\\2/p")
+  text=$(tr -s ' \n' ' ' <help.txt | sed -E "s/.* --$name[ =[]/ /; s/ --.*//")
+  for word in ${words//,/}; do
+    pass "--help says that --$name takes $word" grep -qwe "$word" <<<"$text"
+  done
+done
+
 letters=$(sed -nE 's/^  -(.), .*/\1/p' help.txt | sort)
 same "$(sed -nE 's/^\.It Fl (.)[ ,].*/\1/p' "$page" | sort)" "$letters" \
   "the man page names the same letters"
