@@ -5,6 +5,7 @@
 #import "light_t.h"
 #import "material_t.h"
 #import "unknown_t.h"
+#include "grow.h"
 
 @implementation builder_t
 
@@ -16,7 +17,7 @@
       store = theStore;
       text = theText;
       diag = theDiag;
-      materials = calloc(store->record_count + 1, sizeof *materials);
+      materials = new_array(store->record_count + 1, sizeof *materials);
       block = [[block_t alloc] init: store text: text diag: diag
                           materials: materials];
       unknown = [[unknown_t alloc] init: store text: text diag: diag];

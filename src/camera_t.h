@@ -2,6 +2,7 @@
 // Notes, "depth of field".
 
 #import "block_t.h"
+#include "eye_ray.h"
 #include "kernel/k_bounds.h"
 
 @class ray_t;
@@ -26,6 +27,7 @@ struct sample
   BOOL is_lookat;
   struct k_vec ahead, right, up;        // unit; the window's axes
   double width, height;         // of the window
+  double pixel;                 // from a row to the next, of such a window
   double aperture, focus;       // lens: half side or radius; distance
   BOOL lens_is_disc;
 }
@@ -39,7 +41,11 @@ struct sample
 /** A box round all points where rays start. */
 - (struct k_bounds) lensBox;
 
-/** Starting point and unit direction of a ray. */
+/** Starting points and unit directions of at most EYE_RAYS rays. */
+- (void) rays: (struct eye_ray *)rays : (unsigned)count
+           of: (const struct sample *)samples;
+
+/** The same of one. */
 - (void) ray: (struct sample)sample
          pos: (struct k_vec *)pos dir: (struct k_vec *)dir;
 

@@ -143,14 +143,9 @@
           [self readLookat: block];
         }
       [self readLens: block];
+      [self resizeTo: columns : rows];
     }
   return self;
-}
-
-- (void) resizeTo: (unsigned)newColumns : (unsigned)newRows
-{
-  columns = newColumns;
-  rows = newRows;
 }
 
 /** How many spacings there are between the first and the last of n columns
@@ -161,24 +156,64 @@ spacings(unsigned n)
   return n == 1 ? 1 : n - 1;
 }
 
-/** The unit direction from the viewpoint through a place in the window. */
-- (struct k_vec) directionOf: (struct sample)s
+- (void) resizeTo: (unsigned)newColumns : (unsigned)newRows
 {
-  // Column and row counted from the first one, in spacings; the middle of a
-  // window with only one.
-  double i = (columns == 1 ? 0.5 : s.column) + s.right;
-  double j = (rows == 1 ? 0.5 : s.row) + s.up;
+  columns = newColumns;
+  rows = newRows;
+  pixel = height / spacings(rows);
+}
 
-  if (is_lookat)
+/** The unit directions from the viewpoint through places in the window, of at
+    most EYE_RAYS. One step for all before the next: many processors do two or
+    more at once. */
+static void
+direct(const camera_t *self, const struct sample *samples, unsigned count,
+       struct eye_ray *rays)
+{
+  double x[EYE_RAYS], y[EYE_RAYS], z[EYE_RAYS], length[EYE_RAYS];
+  double across = spacings(self->columns), upward = spacings(self->rows);
+  struct k_vec ahead = self->ahead, right = self->right, up = self->up;
+  struct k_vec eye = self->viewpoint;
+  BOOL is_far = NO;
+
+  for (unsigned n = 0; n < count; n++)
     {
-      double pixel = height / spacings(rows);
-      double x = (i - spacings(columns) / 2) * pixel;
-      double y = (j - spacings(rows) / 2) * pixel;
-      return k_unit(k_add(ahead, k_add(k_scale(right, x), k_scale(up, y))));
+      // Column and row counted from the first one, in spacings; the middle of
+      // a window with only one.
+      x[n] = (self->columns == 1 ? 0.5 : samples[n].column)
+        + samples[n].right;
+      y[n] = (self->rows == 1 ? 0.5 : samples[n].row) + samples[n].up;
     }
-  struct k_vec point = k_vec(width * i / spacings(columns),
-                             height * j / spacings(rows), 0);
-  return k_unit(k_sub(point, viewpoint));
+  for (unsigned n = 0; n < count; n++)
+    {
+      if (self->is_lookat)
+        {
+          double i = (x[n] - across / 2) * self->pixel;
+          double j = (y[n] - upward / 2) * self->pixel;
+          x[n] = ahead.x + (right.x * i + up.x * j);
+          y[n] = ahead.y + (right.y * i + up.y * j);
+          z[n] = ahead.z + (right.z * i + up.z * j);
+        }
+      else
+        {
+          x[n] = self->width * x[n] / across - eye.x;
+          y[n] = self->height * y[n] / upward - eye.y;
+          z[n] = 0 - eye.z;
+        }
+      double l2 = x[n] * x[n] + y[n] * y[n] + z[n] * z[n];
+      is_far |= !(l2 > 0x1p-900 && l2 < 0x1p900);
+      length[n] = sqrt(l2);
+    }
+  for (unsigned n = 0; n < count; n++)
+    {
+      rays[n].d = k_vec(x[n], y[n], z[n]);
+    }
+  for (unsigned n = 0; n < count; n++)
+    {
+      // k_unit, with its square root taken above.
+      rays[n].d = is_far ? k_unit(rays[n].d) : k_div(rays[n].d, length[n]);
+      rays[n].o = eye;
+    }
 }
 
 /** The point of the unit disc for a point of the square [-1, 1]^2: squares
@@ -220,27 +255,40 @@ disc_from_square(double *u, double *v)
 - (void) centralRay: (struct sample)sample
                 pos: (struct k_vec *)pos dir: (struct k_vec *)dir
 {
-  *pos = viewpoint;
-  *dir = [self directionOf: sample];
+  struct eye_ray ray;
+
+  direct(self, &sample, 1, &ray);
+  *pos = ray.o;
+  *dir = ray.d;
+}
+
+- (void) ray: (struct sample)sample
+         pos: (struct k_vec *)pos dir: (struct k_vec *)dir
+{
+  struct eye_ray ray;
+
+  [self rays: &ray : 1 of: &sample];
+  *pos = ray.o;
+  *dir = ray.d;
 }
 
 /** Notes: du, dv move the starting point, and the direction focus * dir back
     by as much; divided by focus, so that no focus is too far. */
-- (void) ray: (struct sample)sample
-         pos: (struct k_vec *)pos dir: (struct k_vec *)dir
+- (void) rays: (struct eye_ray *)rays : (unsigned)count
+           of: (const struct sample *)samples
 {
-  [self centralRay: sample pos: pos dir: dir];
-  if (has_lens)
+  direct(self, samples, count, rays);
+  for (unsigned n = 0; has_lens && n < count; n++)
     {
-      double u = sample.u, v = sample.v;
+      double u = samples[n].u, v = samples[n].v;
       if (lens_is_disc)
         {
           disc_from_square(&u, &v);
         }
       struct k_vec lens = k_add(k_scale(right, aperture * u),
                                 k_scale(up, aperture * v));
-      *pos = k_add(viewpoint, lens);
-      *dir = k_unit(k_sub(*dir, k_div(lens, focus)));
+      rays[n].o = k_add(viewpoint, lens);
+      rays[n].d = k_unit(k_sub(rays[n].d, k_div(lens, focus)));
     }
 }
 

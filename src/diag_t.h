@@ -45,7 +45,8 @@
 - (NSString *) nameOf: (struct place)place;
 
 /** All messages as they are shown, in the order of the text: up to 20
-    faults, then how many more; then likewise the warnings. */
+    faults, then how many more. If there are none, likewise the warnings:
+    beside a fault they may come of it. */
 - (NSString *) report;
 
 /** The nearest of `words` to `word`, when it is near enough to be a slip of

@@ -174,7 +174,10 @@ add(fault_list_t *list, struct place place, NSString *format, va_list values)
   NSMutableString *report = [NSMutableString string];
 
   [self append: faults as: @"error" to: report];
-  [self append: warnings as: @"warning" to: report];
+  if (faults->count == 0)
+    {
+      [self append: warnings as: @"warning" to: report];
+    }
   return report;
 }
 

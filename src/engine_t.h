@@ -5,15 +5,17 @@
 #import <Foundation/Foundation.h>
 #import "image_t.h"
 #include "counters.h"
+#include "eye_ray.h"
 
 @protocol engine_t <NSObject>
 
-/** The colour that comes back along the eye ray from o along the unit d. Any
-    number of threads may ask at once, each with its own counters. */
-- (struct k_vec) colorAt: (struct k_vec)o : (struct k_vec)d
-                counters: (struct counters *)counters;
+/** The colours that come back along eye rays; best EYE_RAYS at once, that go
+    much the same way. Any number of threads may ask at once, each with its own
+    counters. */
+- (void) trace: (struct eye_ray *)rays : (unsigned)count
+      counters: (struct counters *)counters;
 
-/** What that ray hits first. */
+/** What an eye ray from o along the unit d hits first. */
 - (struct surface_pixel) surfaceAt: (struct k_vec)o : (struct k_vec)d;
 
 @end

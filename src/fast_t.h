@@ -3,7 +3,6 @@
 // does not describe itself is asked through its hits: as ever.
 
 #import "engine_t.h"
-#include "kernel/k_bounds.h"
 
 @class compiler_t, model_t;
 
@@ -18,9 +17,6 @@ struct k_scene;
   compiler_t *compiler;
   struct user *users;           // the shapes that did not
   unsigned user_count;
-  struct k_bounds lens;         // where eye rays start
-  struct k_bounds *clear;       // boxes of what a ray can start in: first
-  unsigned clear_count, clear_at_lens;  // those that meet the lens
 }
 
 /** `instructions` names an instruction set, nil is the best there is;

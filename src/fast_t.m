@@ -1,5 +1,4 @@
 #import "fast_t.h"
-#import "camera_t.h"
 #import "compiler_t.h"
 #import "errors.h"
 #import "light_t.h"
@@ -8,6 +7,7 @@
 #import "model_t.h"
 #import "ray_t.h"
 #include "kernel/k_ray.h"
+#include <alloca.h>
 
 /** A shape that did not describe itself. */
 struct user
@@ -68,22 +68,6 @@ ask_object(void *shape, const struct k_surface *s, struct k_ray *ray)
   [pool release];
 }
 
-static BOOL
-holds(const struct k_bounds *box, struct k_vec p)
-{
-  return box->least.x <= p.x && p.x <= box->most.x
-    && box->least.y <= p.y && p.y <= box->most.y
-    && box->least.z <= p.z && p.z <= box->most.z;
-}
-
-static BOOL
-overlap(const struct k_bounds *a, const struct k_bounds *b)
-{
-  return a->least.x <= b->most.x && b->least.x <= a->most.x
-    && a->least.y <= b->most.y && b->least.y <= a->most.y
-    && a->least.z <= b->most.z && b->least.z <= a->most.z;
-}
-
 @implementation fast_t
 
 - (void) addUser: (object_t *)object
@@ -98,16 +82,6 @@ overlap(const struct k_bounds *a, const struct k_bounds *b)
   k_add_user(scene, [compiler surfaceOf: object], shape);
 }
 
-- (void) addClear: (struct k_bounds)box
-{
-  clear[clear_count++] = box;
-  if (overlap(&box, &lens))
-    {
-      clear[clear_count - 1] = clear[clear_at_lens];
-      clear[clear_at_lens++] = box;
-    }
-}
-
 - (id) initWithModel: (model_t *)aModel instructions: (NSString *)instructions
             threads: (unsigned)threads
                error: (NSError **)error
@@ -118,11 +92,9 @@ overlap(const struct k_bounds *a, const struct k_bounds *b)
       NSUInteger count = [surfaces count];
 
       model = [aModel retain];
-      lens = [model->camera lensBox];
       scene = k_scene_new();
       users = calloc(count + 1, sizeof *users);
-      clear = calloc(count + 1, sizeof *clear);
-      if (scene && users && clear)
+      if (scene && users)
         {
           compiler = [[compiler_t alloc] initWithScene: scene];
           for (object_t *object in surfaces)
@@ -130,10 +102,6 @@ overlap(const struct k_bounds *a, const struct k_bounds *b)
               if (![object compile: compiler])
                 {
                   [self addUser: object];
-                }
-              if (object->material->alpha > 0 && [object medium] == object)
-                {
-                  [self addClear: [(id <object_t>)object bounds]];
                 }
             }
           for (light_t *l in model->lights)
@@ -170,7 +138,6 @@ overlap(const struct k_bounds *a, const struct k_bounds *b)
 {
   k_scene_free(scene);
   free(users);
-  free(clear);
   [compiler release];
   [model release];
   [super dealloc];
@@ -189,21 +156,6 @@ overlap(const struct k_bounds *a, const struct k_bounds *b)
       room->below = media->below ? room + 1 : NULL;
     }
   return room == first ? NULL : first;
-}
-
-/** Whether a ray from o starts in the box of something clear. */
-- (BOOL) mayStartInside: (struct k_vec)o
-{
-  unsigned count = holds(&lens, o) ? clear_at_lens : clear_count;
-
-  for (unsigned i = 0; i < count; i++)
-    {
-      if (holds(&clear[i], o))
-        {
-          return YES;
-        }
-    }
-  return NO;
 }
 
 /** The media an eye ray starts in. */
@@ -229,26 +181,46 @@ depth_of(media_t *media)
   return depth;
 }
 
-- (struct k_vec) colorAt: (struct k_vec)o : (struct k_vec)d
-                counters: (struct counters *)counters
+/** With what each ray starts in. */
+- (void) trace: (struct eye_ray *)rays insideOf: (unsigned)count
+      counters: (struct counters *)counters
 {
-  if (![self mayStartInside: o])
-    {
-      return k_trace(scene, o, d, NULL, counters);
-    }
   NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
-  media_t *start = [self startOf: o : d];
-  struct k_media room[depth_of(start) + 1];
-  struct k_vec color = k_trace(scene, o, d,
-                               [self mediaOf: start into: room], counters);
+  const struct k_media *media[count];
+
+  for (unsigned i = 0; i < count; i++)
+    {
+      media_t *start = [model mayStartInside: &rays[i] : 1]
+        ? [self startOf: rays[i].o : rays[i].d] : nil;
+      media[i] = [self mediaOf: start
+                          into: alloca(depth_of(start)
+                                       * sizeof(struct k_media))];
+    }
+  k_trace(scene, rays, count, media, counters);
   [pool release];
-  return color;
+}
+
+- (void) trace: (struct eye_ray *)rays : (unsigned)count
+      counters: (struct counters *)counters
+{
+  if (![model mayStartInside: rays : count])
+    {
+      k_trace(scene, rays, count, NULL, counters);
+      return;
+    }
+  for (unsigned i = 0; i < count; i += EYE_RAYS)
+    {
+      [self trace: &rays[i] insideOf: MIN(count - i, EYE_RAYS)
+         counters: counters];
+    }
 }
 
 - (struct surface_pixel) surfaceAt: (struct k_vec)o : (struct k_vec)d
 {
   NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
-  media_t *start = [self mayStartInside: o] ? [self startOf: o : d] : nil;
+  struct eye_ray ray = { .o = o, .d = d };
+  media_t *start = [model mayStartInside: &ray : 1] ? [self startOf: o : d]
+    : nil;
   struct k_media room[depth_of(start) + 1];
   struct k_surface_hit hit = k_first_hit(scene, o, d,
                                          [self mediaOf: start into: room]);

@@ -45,15 +45,16 @@ made_finite(double c, NSUInteger *nanCount)
     {
       pixels = calloc(count, sizeof *pixels);
       surfaces = withSurfaces ? calloc(count, sizeof *surfaces) : NULL;
+      machine_large_pages(pixels, count * sizeof *pixels);
     }
   if (pixels == NULL || (withSurfaces && surfaces == NULL))
     {
       if (error)
         {
           *error = error_saying(STATUS_FILE, @"not enough memory for %u x %u "
-                                @"pixels: they take %.0f bytes, this machine "
-                                @"has %.0f", [self width], [self height],
-                                needed, memory);
+                                @"pixels: they take %.0f bytes, and the program "
+                                @"may have %.0f in all",
+                                [self width], [self height], needed, memory);
         }
       [self release];
       return nil;
@@ -103,9 +104,20 @@ made_finite(double c, NSUInteger *nanCount)
   return nanCount;
 }
 
+static inline uint8_t
+byte_of(double c)
+{
+  if (!(c > 0 && c < 1))
+    {
+      return c > 0 ? 255 : 0;
+    }
+  int whole = 255 * c;
+  return whole + (255 * c - whole >= 0.5);
+}
+
 + (uint8_t) byte: (double)c
 {
-  return c > 0 ? c < 1 ? round(255 * c) : 255 : 0;
+  return byte_of(c);
 }
 
 - (NSData *) bytes
@@ -116,9 +128,9 @@ made_finite(double c, NSUInteger *nanCount)
 
   for (size_t i = 0; i < count; i++)
     {
-      *byte++ = [image_t byte: pixels[i].color.x];
-      *byte++ = [image_t byte: pixels[i].color.y];
-      *byte++ = [image_t byte: pixels[i].color.z];
+      *byte++ = byte_of(pixels[i].color.x);
+      *byte++ = byte_of(pixels[i].color.y);
+      *byte++ = byte_of(pixels[i].color.z);
     }
   return data;
 }

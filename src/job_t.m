@@ -95,13 +95,17 @@
 
 - (NSString *) summary
 {
+  const uint64_t *size = options->settings.size;
   camera_t *camera = model->camera;
+  unsigned long objects = [model->objects count];
+  unsigned long lights = [model->lights count];
 
-  return [NSString stringWithFormat: @"'%@': %lu objects, %lu lights, "
+  return [NSString stringWithFormat: @"'%@': %lu object%s, %lu light%s, "
                    @"%u x %u pixels", options->scene,
-                   (unsigned long)[model->objects count],
-                   (unsigned long)[model->lights count],
-                   camera->columns, camera->rows];
+                   objects, objects == 1 ? "" : "s",
+                   lights, lights == 1 ? "" : "s",
+                   size[0] ? (unsigned)size[0] : camera->columns,
+                   size[0] ? (unsigned)size[1] : camera->rows];
 }
 
 /** What the options change of the camera, and whether they suit it. */

@@ -5,8 +5,13 @@
 /** How many cores this process may run on. */
 unsigned machine_cores(void);
 
-/** Bytes of memory in the machine. */
+/** Bytes of memory that the program may have: all of the machine's, or less if
+    there is a limit (ulimit -v). */
 double machine_memory(void);
+
+/** Memory that is about to be used as a whole may come in large pages, which
+    takes less time. */
+void machine_large_pages(void *memory, size_t bytes);
 
 /** The folders of the program's own models, installed or in the source tree
     (autoreleased). */

@@ -4,6 +4,8 @@
 #import "machine.h"
 #include <limits.h>
 #include <sched.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 unsigned
@@ -18,7 +20,28 @@ machine_cores(void)
 double
 machine_memory(void)
 {
-  return (double)sysconf(_SC_PHYS_PAGES) * sysconf(_SC_PAGESIZE);
+  double memory = (double)sysconf(_SC_PHYS_PAGES) * sysconf(_SC_PAGESIZE);
+  struct rlimit limit;
+
+  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY
+      && (double)limit.rlim_cur < memory)
+    {
+      memory = limit.rlim_cur;
+    }
+  return memory;
+}
+
+void
+machine_large_pages(void *memory, size_t bytes)
+{
+  uintptr_t page = sysconf(_SC_PAGESIZE);
+  uintptr_t from = ((uintptr_t)memory + page - 1) & -page;
+  uintptr_t to = ((uintptr_t)memory + bytes) & -page;
+
+  if (to > from)
+    {
+      madvise((void *)from, to - from, MADV_HUGEPAGE);
+    }
 }
 
 NSArray *

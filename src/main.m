@@ -12,6 +12,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 /** Until it is complete nothing has a name (outfile_t), so the program may
@@ -30,6 +31,40 @@ interrupted(int number)
   _exit(128 + number);
 }
 
+/** Nothing can be allocated any more. */
+static void
+lack_memory(void)
+{
+  static const char message[] = "raytrace: not enough memory\n";
+
+  (void)!write(STDERR_FILENO, message, sizeof message - 1);
+  _exit(STATUS_FILE);
+}
+
+/** Foundation raises an exception when memory is short, and so do we (grow.h),
+    on whatever thread. */
+static void
+raised(NSException *exception)
+{
+  if ([[exception name] isEqual: NSMallocException])
+    {
+      lack_memory();
+    }
+  fprintf(stderr, "raytrace: %s\n", [[exception description] UTF8String]);
+}
+
+/** libobjc aborts when there is no memory for an object. */
+static void
+aborted(int number)
+{
+  if (mmap(NULL, 1 << 20, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)
+      == MAP_FAILED)
+    {
+      lack_memory();
+    }
+  signal(number, SIG_DFL);
+}
+
 /** A closed pipe and a file that grows too large are errors of write. A
     signal that our caller ignores (nohup) stays ignored. */
 static void
@@ -39,6 +74,7 @@ handle_signals(void)
 
   signal(SIGPIPE, SIG_IGN);
   signal(SIGXFSZ, SIG_IGN);
+  signal(SIGABRT, aborted);
   for (unsigned i = 0; i < sizeof ends / sizeof *ends; i++)
     {
       if (signal(ends[i], interrupted) == SIG_IGN)
@@ -155,6 +191,7 @@ main(int argc, char **argv)
 {
   keep_standard_files();
   handle_signals();
+  NSSetUncaughtExceptionHandler(raised);
   NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
   options_t *options = [[options_t alloc] init];
   NSString *wrong = [options read: argc : argv];

@@ -1,5 +1,6 @@
 #import "mdl_t.h"
 #import "diag_t.h"
+#import "material_t.h"
 #include "attribute_check.h"
 
 @implementation mdl_t (block)
@@ -22,12 +23,27 @@
   BOOL is_brace = token_is_brace(t);
 
   token_next(&behind);
-  if (is_brace && token_is_word(token_next(&behind))
-      && token_is(token_next(&behind), "{"))
+
+  struct token first = token_next(&behind), second = token_next(&behind);
+
+  if (is_brace && token_is_word(first) && token_is(second, "{"))
     {
       // The brace has nothing to do there, the name comes next.
       open_braces += *t.at == '{';
       token_next(&text->cursor);
+    }
+  else if (token_is(t, "{") && token_is(first, "{"))
+    {
+      // It stands for the name.
+      token_next(&text->cursor);
+    }
+  else if (token_is(t, "{") && token_is_word(first)
+           && !attribute_named(kind.table, first)
+           && attribute_named(kind.table, second))
+    {
+      // It has changed places with the name.
+      token_next(&text->cursor);
+      told = second.at;
     }
   name = token_peek(text->cursor);
   if (token_is_word(name))
@@ -53,6 +69,19 @@
   return record;
 }
 
+/** Whether that block is in this file too, which is included once more. Its
+    first clash stands for all. */
+- (BOOL) isReadAgain: (const struct record *)record
+{
+  source_t *here = [text source], *there = [text sourceAt: record->order];
+  BOOL is_again = here != there && here->device == there->device
+    && here->inode == there->inode;
+  BOOL is_told = here->is_told_again;
+
+  here->is_told_again = is_again;
+  return is_again && is_told;
+}
+
 /** Notes the first camera. NO, with a fault, for another one. */
 - (BOOL) isOnlyCamera: (struct token)keyword
 {
@@ -61,6 +90,10 @@
       store->camera = store->record_count - 1;
       store->has_camera = YES;
       return YES;
+    }
+  if ([self isReadAgain: &store->records[store->camera]])
+    {
+      return NO;
     }
   FAULT(keyword.at, @"second camera, expected one in the whole model; the"
         @" first is at %@", [diag nameOf: [text placeAt:
@@ -74,8 +107,10 @@
 {
   unsigned other = name.length ? [store enter] : NO_RECORD;
 
-  if (other != NO_RECORD)
+  if (other != NO_RECORD && ![self isReadAgain: &store->records[other]])
     {
+      // A material may be meant to have the name of one that is missing.
+      store->is_nameless |= kind.class == [material_t class];
       FAULT(name.at, @"second %@ of the name %@, expected another name; the"
             @" first is at %@", token_string(kind.word), [self quote: name],
             [diag nameOf: [text placeAt: store->records[other].name_order]]);
@@ -103,6 +138,11 @@
     }
   if (attribute_named(kind.table, t))
     {
+      struct cursor behind = text->cursor;
+      token_next(&behind);
+      t = token_peek(behind);
+      told = token_is(t, "{") ? t.at : told;    // they have changed places
+      text->cursor = attribute_named(kind.table, t) ? behind : text->cursor;
       return YES;
     }
   // The attributes may start a little later.
@@ -114,6 +154,10 @@
   if (token_is_brace(t))
     {
       token_next(&text->cursor);
+    }
+  if (token_is(t, "}") && [self isAttributeAt: text->cursor])
+    {
+      return YES;                       // it stands for the other brace
     }
   if (token_is(t, "}") && token_is(token_peek(text->cursor), "{"))
     {
@@ -130,19 +174,25 @@
 
   struct record *record = [self readName: kind_number keyword: keyword];
 
-  if ((kind_number == KIND_CAMERA && ![self isOnlyCamera: keyword])
-      || ![self isOnlyOne])
-    {
-      [self spoil: record];
-    }
+  BOOL is_second = kind_number == KIND_CAMERA && ![self isOnlyCamera: keyword];
+
   if ([self openBrace: record extra: &extra])
     {
+      if (is_second || (extra.length == 0 && ![self isOnlyOne]))
+        {
+          [self spoil: record];
+        }
       [self readAttributesOf: record keyword: keyword];
+    }
+  else if (name.length > 0)
+    {
+      [store noteName: name];
     }
   kind.table = NULL;
   if (extra.length > 0)
     {
       [store noteName: extra];
+      store->is_nameless |= kind_number == KIND_MATERIAL;
     }
 }
 

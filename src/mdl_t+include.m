@@ -1,5 +1,6 @@
 #import "mdl_t.h"
 #import "diag_t.h"
+#import "errors.h"
 #include <errno.h>
 
 // Files of includes of files of includes come to an end here.
@@ -18,14 +19,16 @@
   *at = text->cursor.at;
   if (**at != '"')
     {
-      *path = token_next(&text->cursor);
-      if (!token_is_word(*path))
+      *path = token_peek(text->cursor);
+      if (!token_is_word(*path) || [self isBlockAt: text->cursor])
         {
           text->cursor = here;
           FAULT(*at, @"expected the path of a file to include, found %@",
                 [self quote: *path]);
+          path->length = 0;
           return NO;
         }
+      token_next(&text->cursor);
       return YES;
     }
   path->at = *at + 1;
@@ -42,6 +45,35 @@
       return NO;
     }
   return YES;
+}
+
+/** After a fault of an include: goes past what may be more of its path, or
+    the block that it was meant to be. */
+- (void) resumeBehind: (struct token)path
+{
+  struct cursor behind = text->cursor;
+  struct token t = token_next(&behind);
+
+  if (token_is_word(path)
+      && (token_is(t, "{") || [store kindFor: path] != KIND_UNKNOWN))
+    {
+      [self resumeAfter: path];
+      return;
+    }
+  if (token_is_brace(t))
+    {
+      t = token_peek(behind);
+    }
+  else
+    {
+      behind = text->cursor;
+    }
+  if (token_is_word(t) && [store kindFor: t] == KIND_UNKNOWN
+      && ![self isDirective: t] && ![self looksLikeBlock: behind])
+    {
+      token_next(&behind);
+      text->cursor = behind;
+    }
 }
 
 /** Where to look for a file, in this order (autoreleased). */
@@ -93,8 +125,8 @@
 
   for (NSString *candidate in [self candidates: path])
     {
-      source_t *source = [[source_t alloc] initWithFile: candidate
-                                                  error: &error];
+      source_t *source = [[source_t alloc] initWithInclude: candidate
+                                                     error: &error];
       if (source)
         {
           return [source autorelease];
@@ -112,23 +144,28 @@
     }
   else
     {
-      FAULT(at, @"expected a file to include, %@ cannot be read: %s",
-            [self quote: token], strerror((int)[reason code]));
+      FAULT(at, @"expected a file to include, %@ cannot be read: %@",
+            [self quote: token], error_text(reason));
     }
   return nil;
 }
 
-/** Whether one more file may be included; a fault if not. */
+/** Whether one more file may be included. A fault for the first that may
+    not. */
 - (BOOL) allowsAnother: (const char *)at
 {
-  if (include_count == MOST_INCLUDES || [text depth] == DEEPEST_INCLUDE)
+  if (include_count < MOST_INCLUDES && [text depth] < DEEPEST_INCLUDE)
+    {
+      include_count++;
+      return YES;
+    }
+  if (!is_too_much)
     {
       FAULT(at, @"too much to include, expected at most %d files in all and"
             @" %d inside each other", MOST_INCLUDES, DEEPEST_INCLUDE);
-      return NO;
     }
-  include_count++;
-  return YES;
+  is_too_much = YES;
+  return NO;
 }
 
 /** Whether this file may be included here; a fault if not. */
@@ -141,18 +178,18 @@
             [self quote: path]);
       return NO;
     }
-  if (![text hasRoomFor: source])
+  if (![text hasRoomFor: source] && !is_too_much)
     {
       FAULT(at, @"too much to include, expected less than 4 GB in all");
-      return NO;
+      is_too_much = YES;
     }
-  return YES;
+  return [text hasRoomFor: source];
 }
 
 - (void) readInclude
 {
   NSAutoreleasePool *pool = [NSAutoreleasePool new];
-  struct token path;
+  struct token path = { NULL, 0 };
   const char *at;
   source_t *source = nil;
 
@@ -163,6 +200,7 @@
   if (source == nil || ![self allows: source path: path at: at])
     {
       store->is_partial = YES;
+      [self resumeBehind: path];
     }
   else if (![self enter: source from: cursor_order(&text->cursor, at)])
     {
@@ -173,7 +211,7 @@
 
 - (void) refuseInclude
 {
-  struct token path;
+  struct token path = { NULL, 0 };
   const char *at;
 
   if ([self readPath: &path at: &at])

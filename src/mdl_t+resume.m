@@ -50,14 +50,23 @@
     }
 
   unsigned other = [store kindFor: token_next(&cursor)];
+  struct token its_name = token_next(&cursor);
 
-  token_next(&cursor);
   token_next(&cursor);
 
   struct token t = token_next(&cursor);
+  const struct attribute *theirs = store->kinds[other].table;
 
-  return !attribute_named(kind.table, t)
-    || attribute_named(store->kinds[other].table, t);
+  return attribute_named(theirs, t)
+    || (token_is(t, "}") && [store find: other : its_name] == NO_RECORD)
+    || (!attribute_named(kind.table, t)
+        && [self nearestTo: t among: attribute_names(theirs)] != nil);
+}
+
+- (BOOL) isAttributeAt: (struct cursor)cursor
+{
+  return attribute_named(kind.table, token_peek(cursor))
+    && ![self isBlockNotAttributeAt: cursor];
 }
 
 - (BOOL) isTooEarly: (BOOL)is_told
@@ -68,29 +77,49 @@
 
   if (token_is_word(t) && other == KIND_UNKNOWN)
     {
-      return attribute_named(kind.table, t) || [self isNumber: t]
-        || (is_told && ![self isDirective: t]
-            && ![self looksLikeBlock: text->cursor]);
+      return ![self isDirective: t] && ![self looksLikeBlock: text->cursor]
+        && (is_told || attribute_named(kind.table, t)
+            || [self isAttributeAt: ahead] || token_is(token_peek(ahead), "}")
+            || ([self isNumber: t] && ![self isPath: token_peek(ahead)]
+                && ![self isDirective: token_peek(ahead)]));
     }
   if (other == KIND_UNKNOWN || !attribute_named(kind.table, t))
     {
       return NO;
     }
-  // A keyword that is an attribute, a name, and what an attribute follows.
+  // A keyword that is an attribute, a name, and what follows an attribute.
   token_next(&ahead);
   t = token_next(&ahead);
-  return attribute_named(kind.table, t)
-    && !attribute_named(store->kinds[other].table, t);
+
+  BOOL is_brace = token_is(t, "}");     // ours, or in place of its '{'
+
+  t = is_brace ? token_peek(ahead) : t;
+  return !attribute_named(store->kinds[other].table, t)
+    && (is_brace ? !token_is(t, "{") : attribute_named(kind.table, t) != NULL);
 }
 
-- (BOOL) isEndBehind: (struct token)t
+- (BOOL) isEnd
 {
   struct cursor behind = text->cursor;
   struct token next = token_peek(behind);
 
-  return ![self isNumber: t]
-    && (next.length == 0 || [self isBlockAt: behind]
-        || ([self isDirective: next] && ![self isClosed]));
+  return next.length == 0 || [self isBlockAt: behind]
+    || ([self isDirective: next] && ![self isClosed]);
+}
+
+- (BOOL) isBeforeBrace: (struct token)t
+{
+  struct cursor behind = text->cursor;
+  struct token brace = token_next(&behind), next = token_peek(behind);
+
+  if (([self isDirective: t] || [store kindFor: t] != KIND_UNKNOWN)
+      && token_is(brace, "}") && token_is_word(next)
+      && ![self isDirective: next] && ![self isBlockAt: behind])
+    {
+      told = brace.at;
+      return YES;
+    }
+  return NO;
 }
 
 /** Whether a word may have been meant to be an attribute of the block. */
@@ -102,6 +131,22 @@
 
   [pool drain];
   return is_near;
+}
+
+- (unsigned) wordsAt: (struct cursor)cursor
+{
+  unsigned words = 0;
+  struct token t = token_peek(cursor);
+
+  while (words < COMPARED && token_is_word(t)
+         && !attribute_named(kind.table, t) && ![self isDirective: t]
+         && ![self isBlockAt: cursor] && ![self isNearAttribute: t])
+    {
+      token_next(&cursor);
+      t = token_peek(cursor);
+      words++;
+    }
+  return words;
 }
 
 /** Whether the first attribute of a block is one of a camera. */

@@ -1,7 +1,11 @@
 // mdl_t.h - reads model files in the tracer's own format (docs/format.md).
 // mdl_t.m reads the sequence of blocks and directives, mdl_t+block.m a block
 // up to its brace, mdl_t+attributes.m what is in it, mdl_t+include.m finds
-// includes, and mdl_t+resume.m the place where to go on after a fault.
+// includes, mdl_t+refuse.m tells the faults in a block, and mdl_t+resume.m
+// finds the place where to go on after one.
+//
+// One fault is told once. What it brings about is found by looking ahead: a
+// word that is missing here and too much there has changed its place.
 
 #import "reader_t.h"
 
@@ -10,12 +14,14 @@
   NSArray *include_path;
   NSArray *keywords;            // when they have been asked for
   unsigned include_count;       // that were tried
+  BOOL is_too_much;             // more is to be included than may be
   struct kind kind;             // of the block that is being read; its table
                                 // is NULL outside of blocks
   struct token name;            // and its name; of length 0 if it has none
   unsigned open_braces;         // opened by mistake: so many closing ones
                                 // are no fault
   const char *next_brace;       // the last answer of isClosed
+  const char *told;             // a fault here has been told already
 }
 
 /** The folders of `path` are those where includes are looked for after the
@@ -29,6 +35,13 @@ includePath: (NSArray *)path;
 /** Goes on reading in another file, which is included at a place of the text.
     NO, with a fault, if it is no text. NFF is read at once. */
 - (BOOL) enter: (source_t *)source from: (unsigned)order;
+
+/** Goes on after something that is no keyword. What that and the words behind
+    it were meant to be must not be missed later. */
+- (void) resumeAfter: (struct token)t;
+
+/** Whether a word may be the path of an include. */
+- (BOOL) isPath: (struct token)t;
 
 @end
 
@@ -82,6 +95,9 @@ includePath: (NSArray *)path;
     read: what follows the brace tells. */
 - (BOOL) isBlockNotAttributeAt: (struct cursor)cursor;
 
+/** Whether an attribute of the block that is being read starts here. */
+- (BOOL) isAttributeAt: (struct cursor)cursor;
+
 /** Whether a brace is closed before one is opened. */
 - (BOOL) isClosed;
 
@@ -89,8 +105,17 @@ includePath: (NSArray *)path;
     `is_told`: what was expected in place of the brace is missing. */
 - (BOOL) isTooEarly: (BOOL)is_told;
 
-/** Whether the block ends behind the last token, which is no brace. */
-- (BOOL) isEndBehind: (struct token)t;
+/** Whether something follows that does not belong in the block, so that it
+    ends here without a brace. */
+- (BOOL) isEnd;
+
+/** Whether a keyword or directive has changed places with the closing brace
+    before it. The brace, which is at the cursor, is told with it. */
+- (BOOL) isBeforeBrace: (struct token)t;
+
+/** How many words there are before the next attribute, brace, directive or
+    block; at most sixteen. */
+- (unsigned) wordsAt: (struct cursor)cursor;
 
 /** Whether the token is `include` or `background`. */
 - (BOOL) isDirective: (struct token)t;

@@ -48,13 +48,51 @@
       store->is_partial = YES;
       return NO;
     }
-  if ([source->name hasSuffix: @".nff"])
+  if ([[source->name lowercaseString] hasSuffix: @".nff"])
     {
       nff_t *nff = [[nff_t alloc] init: text into: store diag: diag];
       [nff read];
       [nff release];
     }
   return YES;
+}
+
+- (BOOL) wantsFault: (const char *)at
+{
+  return at != told && [super wantsFault: at];
+}
+
+- (BOOL) isPath: (struct token)t
+{
+  return token_is_word(t) && ![self isNumber: t]
+    && (memchr(t.at, '/', t.length) || memchr(t.at, '.', t.length));
+}
+
+- (void) resumeAfter: (struct token)t
+{
+  struct cursor behind = text->cursor;
+  struct token next = token_next(&behind);
+  BOOL is_path = [self isPath: t];
+
+  if ((is_path && token_is(next, "include"))
+      || ([self isNumber: t] && token_is(next, "background")))
+    {
+      text->cursor = behind;            // they have changed places
+    }
+  for (int i = 0; i < 2 && !is_path; i++)
+    {
+      is_path = [self isPath: next] && !token_is(token_peek(behind), "{");
+      next = token_next(&behind);
+    }
+  store->is_partial |= is_path;
+  store->is_sound = NO;
+
+  struct token block = [self resumeOutside];
+
+  if (block.length > 0)
+    {
+      [store noteName: block];
+    }
 }
 
 /** Reads `background r g b`, from behind that word. */
@@ -81,14 +119,14 @@
       store->background = k_vec(values[0].number, values[1].number,
                                 values[2].number);
       t = token_peek(text->cursor);
-      if ([self isNumber: t])
+      if ([self isNumber: t] && ![self looksLikeBlock: text->cursor])
         {
           FAULT(t.at, @"expected 3 numbers for background, found one more:"
                 @" %@", [self quote: t]);
-        }
-      while ([self isNumber: token_peek(text->cursor)])
-        {
-          token_next(&text->cursor);
+          while ([self isNumber: token_peek(text->cursor)])
+            {
+              token_next(&text->cursor);
+            }
         }
       return;
     }
@@ -102,11 +140,15 @@
     }
   // Past the rest of the values, up to what looks like something else.
   for (t = token_peek(text->cursor);
-       token_is_word(t) && ![self endsValues: t]
+       token_is_word(t) && ![self isDirective: t]
          && ![self looksLikeBlock: text->cursor];
        t = token_peek(text->cursor))
     {
       token_next(&text->cursor);
+    }
+  if ([self isNumber: t])
+    {
+      [self resumeAfter: t];            // a value in place of a keyword
     }
 }
 
@@ -120,11 +162,9 @@
   return keywords;
 }
 
-/** A word that is no keyword. What it was meant to be must not be missed
-    later. */
+/** A word that is no keyword. */
 - (void) refuseWord: (struct token)t
 {
-  store->is_sound = NO;
   FAULT(t.at, @"unknown keyword %@%@", [self quote: t],
         [self advise: t among: [self keywords]]);
 
@@ -132,10 +172,35 @@
 
   store->has_camera |= [meant isEqual: @"camera"];
   store->is_partial |= [meant isEqual: @"include"];
+  [store noteName: t];
+  [self resumeAfter: t];
+}
 
-  struct token block = [self resumeOutside];
+/** Goes on after a brace outside of blocks. It may stand for a keyword: the
+    name follows, or a path. */
+- (void) resumeBehindBrace: (struct token)brace
+{
+  struct cursor behind = text->cursor;
+  struct token t = token_next(&behind);
+  BOOL is_opening = token_is(brace, "{");
 
-  [store noteName: block.length > 0 ? block : t];
+  if (token_is_word(t) && [store kindFor: t] == KIND_UNKNOWN
+      && ![self isDirective: t]
+      && (!is_opening || token_is(token_peek(behind), "{")
+          || [self isPath: t]))
+    {
+      [self resumeAfter: brace];
+    }
+  else if (is_opening && [self isDirective: t])
+    {
+      open_braces++;
+    }
+  else if (is_opening)
+    {
+      text->cursor.at = brace.at;
+      store->is_sound = NO;
+      [self resumeOutside];
+    }
 }
 
 - (void) readItem: (struct token)t
@@ -151,13 +216,13 @@
         }
       FAULT(t.at, @"expected a block or a directive, found '}' without a"
             @" '{' before it");
+      [self resumeBehindBrace: t];
     }
   else if (token_is(t, "{"))
     {
       FAULT(t.at, @"expected a keyword and a name before '{'");
-      store->is_sound = NO;
-      text->cursor.at = t.at;
-      [self resumeOutside];
+      store->is_nameless = YES;
+      [self resumeBehindBrace: t];
     }
   else if (token_is(t, "include"))
     {

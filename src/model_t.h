@@ -29,11 +29,15 @@ enum polygon_test
   NSMutableArray *incomplete;   // objects whose classes have a complete:…
   Class last_class;             // of the object added last
   BOOL last_is_incomplete;
-  NSArray *surfaces;            // what find_closest: asks: see replace:by:
+  NSMapTable *replacements;     // see replace:by:; by object, NSNull: none
+  NSArray *surfaces;            // what find_closest: asks
   struct surface *table;        // the same for speed, see model_t.m; made
                                 // when a ray first asks
   unsigned surface_count;
-  NSMutableArray *clear;        // objects a ray can be inside of
+  struct clear *clear;          // objects a ray can be inside of, see
+  unsigned clear_count;         // model_t+media.m
+  unsigned clear_at_lens;       // the first ones: those that matter to eye
+  struct k_bounds lens;         // rays, which start in this box
 }
 
 - (void) addLight: (light_t *)light;
@@ -58,6 +62,16 @@ enum polygon_test
     ray's hit is then the closest one. For a shadow feeler only opaque objects
     count, and the first one found is enough. */
 - (void) find_closest: (ray_t *)ray;
+
+@end
+
+@interface model_t (Media)
+
+/** Looks which objects a ray can start in, once all are complete. */
+- (void) findClear;
+
+/** NO when all of these rays start in air. */
+- (BOOL) mayStartInside: (const struct eye_ray *)rays : (unsigned)count;
 
 /** The media an eye ray starts in: the clear objects that contain its pos, in
     the order in which it would leave them, the first on top. */

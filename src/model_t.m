@@ -23,8 +23,10 @@ struct surface
       materials = [[NSMutableDictionary alloc] init];
       objects = [[NSMutableArray alloc] init];
       incomplete = [[NSMutableArray alloc] init];
+      replacements
+        = NSCreateMapTable(NSNonOwnedPointerMapKeyCallBacks,
+                           NSObjectMapValueCallBacks, 0);
       surfaces = [objects retain];
-      clear = [[NSMutableArray alloc] init];
       max_depth = 5;
     }
   return self;
@@ -33,8 +35,9 @@ struct surface
 - (void) dealloc
 {
   free(table);
-  [clear release];
+  free(clear);
   [surfaces release];
+  NSFreeMapTable(replacements);
   [incomplete release];
   [objects release];
   [materials release];
@@ -133,6 +136,32 @@ struct surface
     }
 }
 
+- (void) replace: (NSArray *)parts by: (object_t *)whole
+{
+  for (object_t *part in parts)
+    {
+      NSMapInsert(replacements, part, [NSNull null]);
+    }
+  NSMapInsert(replacements, [parts objectAtIndex: 0], whole);
+}
+
+- (void) putReplacements
+{
+  NSMutableArray *kept = [NSMutableArray array];
+
+  for (id object in surfaces)
+    {
+      id whole = NSMapGet(replacements, object);
+      if (whole != [NSNull null])
+        {
+          [kept addObject: whole ? whole : object];
+        }
+    }
+  [surfaces release];
+  surfaces = [kept retain];
+  NSResetMapTable(replacements);
+}
+
 - (void) complete: (diag_t *)diag
 {
   for (Class class in [self classesToComplete])
@@ -148,41 +177,8 @@ struct surface
       [class complete: instances model: self diag: diag];
     }
   [incomplete removeAllObjects];
-  for (object_t *object in surfaces)
-    {
-      if (object->material->alpha != 0 && [object medium] == object)
-        {
-          [clear addObject: object];
-        }
-    }
-}
-
-- (void) replace: (NSArray *)parts by: (object_t *)whole
-{
-  object_t *first = [parts objectAtIndex: 0];
-  // Opaque: GNUstep's table of retained objects retains them twice.
-  NSHashTable *gone
-    = [NSHashTable hashTableWithOptions: NSPointerFunctionsOpaqueMemory
-                                         | NSPointerFunctionsOpaquePersonality];
-  NSMutableArray *kept = [NSMutableArray array];
-
-  for (object_t *part in parts)
-    {
-      [gone addObject: part];
-    }
-  for (object_t *object in surfaces)
-    {
-      if (object == first)
-        {
-          [kept addObject: whole];
-        }
-      else if (![gone containsObject: object])
-        {
-          [kept addObject: object];
-        }
-    }
-  [surfaces release];
-  surfaces = [kept retain];
+  [self putReplacements];
+  [self findClear];
 }
 
 - (NSArray *) surfaces
@@ -218,65 +214,6 @@ struct surface
         }
     }
   ray->counters->tests += tests;
-}
-
-/** One of the objects an eye ray starts in. */
-struct start
-{
-  object_t *object;
-  double t;             // where the ray leaves it
-};
-
-static int
-last_left_first(const void *p, const void *q)
-{
-  const struct start *a = p, *b = q;
-
-  return a->t != b->t ? (a->t > b->t ? -1 : 1)
-    : a->object->number > b->object->number ? -1 : 1;
-}
-
-- (media_t *) mediaOf: (ray_t *)ray
-{
-  struct k_vec o = ray->pos->v;
-  unsigned count = 0;
-  media_t *media = nil, *saved = ray->media;
-
-  for (object_t *object in clear)
-    {
-      count += [object contains: o];
-    }
-  if (count == 0)
-    {
-      return nil;
-    }
-  struct start starts[count];
-  unsigned i = 0;
-  for (object_t *object in clear)
-    {
-      if ([object contains: o])
-        {
-          starts[i++].object = object;
-          media = [media_t enter: object : object->material->ior over: media];
-        }
-    }
-  ray->media = media;           // a solid is left only by a ray inside it
-  for (i = 0; i < count; i++)
-    {
-      if (![ray leaves: starts[i].object at: &starts[i].t])
-        {
-          starts[i].t = HUGE_VAL;
-        }
-    }
-  ray->media = saved;
-  qsort(starts, count, sizeof *starts, last_left_first);
-  media = nil;
-  for (i = 0; i < count; i++)
-    {
-      object_t *object = starts[i].object;
-      media = [media_t enter: object : object->material->ior over: media];
-    }
-  return media;
 }
 
 @end

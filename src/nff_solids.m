@@ -1,4 +1,5 @@
 #include "nff_solids.h"
+#include "grow.h"
 
 // Fewer faces close no volume.
 #define FEWEST_FACES 4
@@ -23,19 +24,6 @@ struct search
   size_t mask;
   BOOL any_fill;        // fills are not told apart
 };
-
-static void *
-room(size_t count, size_t size)
-{
-  void *array = calloc(count, size);
-
-  if (array == NULL)
-    {
-      [NSException raise: NSMallocException
-                  format: @"no memory for %zu items", count];
-    }
-  return array;
-}
 
 static size_t
 mix(size_t hash, uint64_t more)
@@ -70,7 +58,7 @@ hash_point(const struct value *p)
 static void
 number_vertices(struct search *s)
 {
-  unsigned *table = room(s->mask + 1, sizeof *table);
+  unsigned *table = new_array(s->mask + 1, sizeof *table);
   unsigned corner = 0;
 
   for (unsigned f = 0; f < s->count; f++)
@@ -162,8 +150,8 @@ add_edges(struct search *s)
 static void
 number_solids(struct search *s, unsigned *solids)
 {
-  unsigned *sizes = room(s->count, sizeof *sizes);
-  unsigned *numbers = room(s->count, sizeof *numbers);
+  unsigned *sizes = new_array(s->count, sizeof *sizes);
+  unsigned *numbers = new_array(s->count, sizeof *numbers);
 
   for (unsigned f = 0; f < s->count; f++)
     {
@@ -210,9 +198,9 @@ nff_find_solids(struct nff_face *faces, unsigned count,
   for (s.mask = 1; s.mask < 2 * corners; s.mask = 2 * s.mask + 1)
     {
     }
-  s.vertices = room(corners, sizeof *s.vertices);
-  s.parents = room(count, sizeof *s.parents);
-  s.edges = room(s.mask + 1, sizeof *s.edges);
+  s.vertices = new_array(corners, sizeof *s.vertices);
+  s.parents = new_array(count, sizeof *s.parents);
+  s.edges = new_array(s.mask + 1, sizeof *s.edges);
   number_vertices(&s);
   for (int pass = 0; pass < 2; pass++)
     {

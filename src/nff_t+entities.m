@@ -48,10 +48,34 @@
 /** A letter that NFF does not have, or that nothing is made of. */
 - (BOOL) refuse
 {
+  BOOL is_number = [self isNumber: letter];
+
   FAULT(letter.at, @"%s %@; expected v, b, l, f, s, p or pp",
         token_is(letter, "c") ? "no shape for the cone"
-        : [self isNumber: letter] ? "one number too many:"
+        : is_number ? "one number too many:"
         : "unknown entity", [self quote: letter]);
+  if (is_number && store->record_count > 0)
+    {
+      store->records[store->record_count - 1].is_faulty = YES;
+    }
+  [self resume];
+  [self skipView];      // if that was to be the v
+  return NO;
+}
+
+- (BOOL) isEntity: (struct token)t
+{
+  static const char *const letters[] = {
+    "v", "b", "l", "f", "s", "p", "pp", "c"
+  };
+
+  for (unsigned i = 0; i < sizeof letters / sizeof *letters; i++)
+    {
+      if (token_is(t, letters[i]))
+        {
+          return YES;
+        }
+    }
   return NO;
 }
 

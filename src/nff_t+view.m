@@ -5,44 +5,88 @@
 
 @implementation nff_t (view)
 
-/** Whether all that is required was given; a fault if not. */
-- (BOOL) isComplete: (const struct attribute *)table given: (unsigned)given
+static const struct attribute view[] = {
+  { .name = "from", .kind = ATTRIBUTE_POINT, .is_required = 1 },
+  { .name = "at", .kind = ATTRIBUTE_POINT, .is_required = 1 },
+  { .name = "up", .kind = ATTRIBUTE_VECTOR, .is_required = 1 },
+  { .name = "angle", .kind = ATTRIBUTE_NUMBER, .is_required = 1,
+    .range = RANGE_STRICTLY_BETWEEN, .least = 0, .most = 180 },
+  { .name = "hither", .kind = ATTRIBUTE_NUMBER },
+  { .name = "resolution", .kind = ATTRIBUTE_WHOLE_PAIR, .is_required = 1,
+    .range = RANGE_BETWEEN, .least = 1, .most = 1000000 },
+  { .name = NULL }
+};
+
+/** The bits of what is required and was not given. */
+static uint64_t
+missing(uint64_t given)
 {
   uint64_t missing = 0, bit = 1;
 
-  for (const struct attribute *a = table; a->name; a++, bit <<= 1)
+  for (const struct attribute *a = view; a->name; a++, bit <<= 1)
     {
       missing |= a->is_required && !(given & bit) ? bit : 0;
     }
-  if (missing)
+  return missing;
+}
+
+- (void) skipView
+{
+  while (attribute_named(view, token_peek(text->cursor)))
     {
-      FAULT(letter.at, @"expected %@%@, found none",
-            attribute_list(attribute_names_of(table, missing), @"and"),
-            [self owner]);
+      store->has_camera = YES;
+      token_next(&text->cursor);
+      [self resume];
     }
-  return missing == 0;
+}
+
+/** Reads attributes into their places; the bits of those given. Something
+    else may be meant to be one as long as not all are there: that is a fault,
+    and *faults of them cannot be used. */
+- (uint64_t) readView: (struct value (*)[3])values faults: (unsigned *)faults
+{
+  uint64_t given = 0;
+
+  for (;;)
+    {
+      struct token t = token_peek(text->cursor);
+      const struct attribute *a = attribute_named(view, t);
+
+      if (a == NULL && (t.length == 0 || missing(given) == 0
+                        || [self isEntity: t]))
+        {
+          return given;
+        }
+      token_next(&text->cursor);
+      if (a == NULL)
+        {
+          FAULT(t.at, @"%@ %@%@%@", [self isNumber: t]
+                ? @"one number too many:" : @"unknown attribute",
+                [self quote: t], [self owner],
+                [self advise: t among: attribute_names(view)]);
+        }
+      else if (given & 1u << (a - view))
+        {
+          FAULT(t.at, @"second %s%@, expected one", a->name, [self owner]);
+        }
+      else if ([self read: a into: values[a - view]])
+        {
+          given |= 1u << (a - view);
+          continue;
+        }
+      ++*faults;
+      [self resume];
+    }
 }
 
 - (BOOL) readView
 {
-  static const struct attribute view[] = {
-    { .name = "from", .kind = ATTRIBUTE_POINT, .is_required = 1 },
-    { .name = "at", .kind = ATTRIBUTE_POINT, .is_required = 1 },
-    { .name = "up", .kind = ATTRIBUTE_VECTOR, .is_required = 1 },
-    { .name = "angle", .kind = ATTRIBUTE_NUMBER, .is_required = 1,
-      .range = RANGE_STRICTLY_BETWEEN, .least = 0, .most = 180 },
-    { .name = "hither", .kind = ATTRIBUTE_NUMBER },
-    { .name = "resolution", .kind = ATTRIBUTE_WHOLE_PAIR, .is_required = 1,
-      .range = RANGE_BETWEEN, .least = 1, .most = 1000000 },
-    { .name = NULL }
-  };
   static const char *const names[] = {
     "viewpoint", "lookat", "up", "angle", NULL, "pixeldim"
   };
   struct value values[6][3];
-  unsigned given = 0;
+  unsigned faults = 0;
   BOOL is_good = store->camera == NO_RECORD;
-  const struct attribute *a;
 
   if (!is_good)
     {
@@ -50,23 +94,17 @@
             @" the first is at %@", [diag nameOf: [text placeAt:
               store->records[store->camera].order]]);
     }
-  while ((a = attribute_named(view, token_peek(text->cursor))))
-    {
-      struct token t = token_next(&text->cursor);
-      if (given & 1u << (a - view))
-        {
-          is_good = NO;
-          FAULT(t.at, @"second %s%@, expected one", a->name, [self owner]);
-        }
-      given |= 1u << (a - view);
-      if (![self read: a into: values[a - view]])
-        {
-          is_good = NO;
-          [self resume];
-        }
-    }
+
+  uint64_t lacking = missing([self readView: values faults: &faults]);
+
   store->has_camera = YES;
-  if ([self isComplete: view given: given] && is_good)
+  if (lacking && faults == 0)
+    {
+      FAULT(letter.at, @"expected %@%@, found none",
+            attribute_list(attribute_names_of(view, lacking), @"and"),
+            [self owner]);
+    }
+  if (lacking == 0 && faults == 0 && is_good)
     {
       store->camera = store->record_count;
       [self begin: KIND_CAMERA : "v" : 1];

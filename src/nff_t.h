@@ -11,7 +11,7 @@
   struct token fill;            // name of the last f; of length 0: none yet
   double alpha, ior;            // of that
   unsigned fills, lights, spheres, polygons;
-  BOOL lacks_fill;              // this was said
+  BOOL lacks_fill;              // this was said, or follows from a fault
   unsigned *plain_lights;       // values that depend on the number of lights
   unsigned plain_light_count, plain_light_capacity;
   struct nff_face *faces;       // the polygons, see nff_solids.h
@@ -30,6 +30,9 @@
 
 /** Reads one entity, from behind its letter. NO after a fault. */
 - (BOOL) readEntity;
+
+/** Whether it is the letter of an entity. */
+- (BOOL) isEntity: (struct token)t;
 
 /** Adds a block that stands for the entity, with a made up name. */
 - (struct record *) begin: (unsigned)kind : (const char *)prefix
@@ -50,6 +53,10 @@
 @interface nff_t (view)
 
 - (BOOL) readView;
+
+/** Goes past what is in a v. */
+- (void) skipView;
+
 - (BOOL) readBackground;
 - (BOOL) readLight;
 

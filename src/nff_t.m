@@ -84,6 +84,7 @@
       if (![self readEntity])
         {
           store->is_sound = NO;
+          lacks_fill = YES;     // it may have been the first f
           [self resume];
         }
     }

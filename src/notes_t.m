@@ -27,18 +27,19 @@
   return ray;
 }
 
-- (struct k_vec) colorAt: (struct k_vec)o : (struct k_vec)d
-                counters: (struct counters *)counters
+- (void) trace: (struct eye_ray *)rays : (unsigned)count
+      counters: (struct counters *)counters
 {
-  NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
-  ray_t *ray = [self rayAt: o : d];
-
-  counters->eye++;
-  ray->counters = counters;
-  struct k_vec color = [ray trace: model]->v;
-  [ray release];
-  [pool release];
-  return color;
+  for (unsigned i = 0; i < count; i++)
+    {
+      NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
+      ray_t *ray = [self rayAt: rays[i].o : rays[i].d];
+      counters->eye++;
+      ray->counters = counters;
+      rays[i].color = [ray trace: model]->v;
+      [ray release];
+      [pool release];
+    }
 }
 
 - (struct surface_pixel) surfaceAt: (struct k_vec)o : (struct k_vec)d

@@ -50,6 +50,10 @@
     direction whether the first surface is met from within. */
 - (BOOL) contains: (struct k_vec)P;
 
+/** Whether its surface may pass through the box: NO when contains: is the same
+    everywhere in it. The default is YES. */
+- (BOOL) hasSurfaceIn: (struct k_bounds)box;
+
 /** Which object a ray is in when it has gone through this surface: self, or
     the solid it is part of; nil for a thin sheet. */
 - (id) medium;

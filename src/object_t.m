@@ -41,6 +41,11 @@
   return is_inside;
 }
 
+- (BOOL) hasSurfaceIn: (struct k_bounds)box
+{
+  return YES;
+}
+
 - (id) medium
 {
   return self;

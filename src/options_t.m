@@ -3,19 +3,43 @@
 #import "options_t.h"
 #import "diag_t.h"
 #import "option.h"
+#include "attribute_check.h"
 #include <string.h>
+#include <sys/stat.h>
 
+/** Options are not abbreviated, since one that is new might change what is
+    meant; but those that begin so are suggested, or else the nearest. */
 static NSString *
 unknown_option(NSString *name)
 {
   NSMutableArray *names = [NSMutableArray array];
+  NSMutableArray *longer = [NSMutableArray array];
 
   for (const struct option *o = option_table; o->name; o++)
     {
       [names addObject: option_name(o)];
+      if ([name length] > 2 && [option_name(o) hasPrefix: name])
+        {
+          [longer addObject: [NSString stringWithFormat: @"'%@'",
+                                       option_name(o)]];
+        }
     }
-  return [NSString stringWithFormat: @"unknown option '%@'%@", name,
-                   [diag_t suggestionFor: name among: names]];
+  NSString *meant = [longer count] == 0
+    ? [diag_t suggestionFor: name among: names]
+    : [NSString stringWithFormat: @"; did you mean %@?",
+                attribute_list(longer, @"or")];
+
+  return [NSString stringWithFormat: @"unknown option '%@'%@", name, meant];
+}
+
+/** Whether a path names a folder, or can name nothing else. */
+static BOOL
+is_folder(NSString *path)
+{
+  struct stat now;
+
+  return [path hasSuffix: @"/"]
+    || (stat([path UTF8String], &now) == 0 && S_ISDIR(now.st_mode));
 }
 
 static BOOL
@@ -195,6 +219,10 @@ is_square(uint64_t n)
       return @"no output given: -o FILE, or -o - for standard output";
     }
   format = [self formatOfOutput];
+  if (is_folder(settings.output))
+    {
+      return nil;       // outfile_t says so
+    }
   if (format == FORMAT_NONE)
     {
       return [NSString stringWithFormat: @"output '%@' has an unknown suffix; "

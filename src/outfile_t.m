@@ -127,6 +127,11 @@ write_all(int fd, NSData *data)
       fd = dup(STDOUT_FILENO);
       return fd >= 0;
     }
+  if ([path hasSuffix: @"/"])
+    {
+      errno = EISDIR;
+      return NO;
+    }
   target = [follow(path) copy];
   if (target == nil)
     {

@@ -37,7 +37,7 @@
                   canonical: (NSString **)canonical
                       error: (NSError **)error
 {
-  source_t *source = [[source_t alloc] initWithFile: path error: error];
+  source_t *source = [[source_t alloc] initWithScene: path error: error];
 
   if (source == nil)
     {

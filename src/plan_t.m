@@ -20,9 +20,9 @@
       for (unsigned x = w.x0; x < w.x1; x += STEP, tried++)
         {
           struct sample s = { .column = x, .row = camera->rows - 1 - y };
-          struct k_vec o, d;
-          [camera centralRay: s pos: &o dir: &d];
-          [engine colorAt: o : d counters: counters];
+          struct eye_ray ray;
+          [camera centralRay: s pos: &ray.o dir: &ray.d];
+          [engine trace: &ray : 1 counters: counters];
         }
     }
   return (double)pixels / tried;
@@ -104,15 +104,16 @@
 
   k_scene_facts(engine->scene, &f);
   [text appendFormat: @"picture   %u x %u pixels, %" PRIu64 " traced, %"
-        PRIu64 " rays through each\n", camera->columns, camera->rows, pixels,
-        per_pixel];
+        PRIu64 " ray%s through each\n", camera->columns, camera->rows, pixels,
+        per_pixel, per_pixel == 1 ? "" : "s"];
   [text appendFormat: @"shapes    %@\n", [self shapesOf: &f]];
   [text appendFormat: @"lights    %lu\n",
         (unsigned long)[model->lights count]];
   [text appendFormat: @"media     %u\n", f.media];
-  [text appendFormat: @"tree      %u nodes, %u deep\n", f.nodes, f.depth];
-  [text appendFormat: @"depth     %u generations of rays at most\n",
-        model->max_depth + 1];
+  [text appendFormat: @"tree      %u node%s, %u deep\n", f.nodes,
+        f.nodes == 1 ? "" : "s", f.depth];
+  [text appendFormat: @"depth     %u generation%s of rays at most\n",
+        model->max_depth + 1, model->max_depth == 0 ? "" : "s"];
   [text appendFormat: @"left out  %@\n", [self leftOut: &f of: model]];
   [text appendFormat: @"memory    %zu bytes for the scene, %" PRIu64
         " for the picture\n", f.bytes,

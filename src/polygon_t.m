@@ -4,6 +4,7 @@
 #import "diag_t.h"
 #import "ray_t.h"
 #import "solid_t.h"
+#include "grow.h"
 #include "kernel/k_polygon_hit.h"
 
 @implementation polygon_t
@@ -29,7 +30,7 @@
 
   for (int axis = 0; axis < 3; axis++)
     {
-      vertex[axis] = malloc(given * sizeof(double));
+      vertex[axis] = new_array(given, sizeof(double));
     }
   box = k_nothing();
   for (unsigned i = 0; i < given; i++)
@@ -223,7 +224,7 @@
 
   return k_plane_hit(&plane, o, d, t)
     && (test != POLYGON_CROSSINGS
-        || k_polygon_settle(&plane, o, d, ray->inverse, count, v, t));
+        || k_polygon_settle(&plane, o, d, count, v, t));
 }
 
 - (BOOL) holds: (ray_t *)ray at: (double)t

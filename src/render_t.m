@@ -7,6 +7,10 @@
 // nothing, small enough that the last ones keep all threads busy.
 #define TILE 16
 
+// Pixels of a block, whose rays are traced together: across and down.
+#define ACROSS 8
+#define DOWN (EYE_RAYS / ACROSS)
+
 // Bytes of a thread's stack: rays are traced by recursion, and deep ones in
 // many media at once need more than threads commonly have.
 #define STACK_SIZE (64 << 20)
@@ -39,81 +43,137 @@
 }
 
 /** The place of sample s in the pixel. */
-- (void) place: (struct sample *)sample of: (unsigned)s
+static void
+place(const struct render_options *options, struct sample *sample, unsigned s)
 {
-  if (options.samples == 1)
+  if (options->samples == 1)
     {
-      sample->right = sample->up = 0;
+      return;                   // through its point
     }
-  else if (options.sampler == SAMPLER_GRID)
+  if (options->sampler == SAMPLER_GRID)
     {
-      unsigned n = lround(sqrt(options.samples));
+      unsigned n = lround(sqrt(options->samples));
       sample->right = (s % n + 0.5) / n - 0.5;
       sample->up = (s / n + 0.5) / n - 0.5;
     }
   else
     {
-      sample->right = sampler_random(options.seed, sample->column,
+      sample->right = sampler_random(options->seed, sample->column,
                                      sample->row, s,
                                      DIMENSION_PIXEL_RIGHT) - 0.5;
-      sample->up = sampler_random(options.seed, sample->column, sample->row,
+      sample->up = sampler_random(options->seed, sample->column, sample->row,
                                   s, DIMENSION_PIXEL_UP) - 0.5;
     }
 }
 
-/** The mean colour of all rays of a pixel. */
-- (struct k_vec) colorOf: (struct sample)sample
-                counters: (struct counters *)count
+/** Rays that are to be traced together, and the pixels they are of. */
+struct bundle
 {
-  struct k_vec sum = k_vec(0, 0, 0);
+  struct sample samples[EYE_RAYS];
+  struct pixel *pixels[EYE_RAYS];
+  unsigned count;
+};
+
+/** Traces a bundle and adds each colour to its pixel, in order. */
+static void
+trace(const render_t *self, struct bundle *bundle, struct counters *count)
+{
+  struct eye_ray rays[EYE_RAYS];
+
+  [self->camera rays: rays : bundle->count of: bundle->samples];
+  [self->engine trace: rays : bundle->count counters: count];
+  for (unsigned i = 0; i < bundle->count; i++)
+    {
+      struct k_vec *color = &bundle->pixels[i]->color;
+      *color = k_add(*color, rays[i].color);
+    }
+  bundle->count = 0;
+}
+
+/** All rays of a pixel go into the bundle. */
+static inline void
+add(const render_t *self, struct pixel *pixel, struct sample sample,
+    struct bundle *bundle, struct counters *count)
+{
+  const struct render_options *options = &self->options;
+  unsigned exposure = self->camera->exposure;
+  BOOL has_lens = self->camera->has_lens;
   uint64_t ray_number = 0;
 
-  for (unsigned s = 0; s < options.samples; s++)
+  for (unsigned s = 0; s < options->samples; s++)
     {
-      [self place: &sample of: s];
-      for (unsigned e = 0; e < camera->exposure; e++, ray_number++)
+      place(options, &sample, s);
+      for (unsigned e = 0; e < exposure; e++, ray_number++)
         {
-          struct k_vec o, d;
-          if (camera->has_lens)
+          if (has_lens)
             {
-              sample.u = 2 * sampler_random(options.seed, sample.column,
+              sample.u = 2 * sampler_random(options->seed, sample.column,
                                             sample.row, ray_number,
                                             DIMENSION_LENS_U) - 1;
-              sample.v = 2 * sampler_random(options.seed, sample.column,
+              sample.v = 2 * sampler_random(options->seed, sample.column,
                                             sample.row, ray_number,
                                             DIMENSION_LENS_V) - 1;
             }
-          [camera ray: sample pos: &o dir: &d];
-          sum = k_add(sum, [engine colorAt: o : d counters: count]);
+          bundle->samples[bundle->count] = sample;
+          bundle->pixels[bundle->count++] = pixel;
+          if (bundle->count == EYE_RAYS)
+            {
+              trace(self, bundle, count);
+            }
         }
     }
-  return k_div(sum, ray_number);
 }
 
-- (void) pixel: (unsigned)x : (unsigned)y counters: (struct counters *)count
+/** The pixels of a window, which is at most a tile; each colour is the mean of
+    all its rays. */
+- (void) pixelsOf: (struct window)w counters: (struct counters *)count
 {
-  struct sample sample = { .column = x, .row = image->rows - 1 - y };
+  struct bundle bundle;
+  double rays = (double)options.samples * camera->exposure;
 
-  if (image->surfaces)
+  bundle.count = 0;
+  for (unsigned y = w.y0; y < w.y1; y++)
     {
-      // Through the middle of the pixel and of the lens.
-      struct k_vec o, d;
-      [camera centralRay: sample pos: &o dir: &d];
-      *[image surfaceAt: x : y] = [engine surfaceAt: o : d];
+      struct pixel *row = [image pixelAt: w.x0 : y];
+      for (unsigned x = w.x0; x < w.x1; x++)
+        {
+          struct sample sample = { .column = x, .row = image->rows - 1 - y };
+          if (image->surfaces)
+            {
+              // Through the middle of the pixel and of the lens.
+              struct k_vec o, d;
+              [camera centralRay: sample pos: &o dir: &d];
+              *[image surfaceAt: x : y] = [engine surfaceAt: o : d];
+            }
+          add(self, row + (x - w.x0), sample, &bundle, count);
+        }
     }
-  [image pixelAt: x : y]->color = [self colorOf: sample counters: count];
+  trace(self, &bundle, count);
+  for (unsigned y = w.y0; rays > 1 && y < w.y1; y++)
+    {
+      struct pixel *pixel = [image pixelAt: w.x0 : y];
+      for (unsigned x = w.x0; x < w.x1; x++, pixel++)
+        {
+          pixel->color = k_div(pixel->color, rays);
+        }
+    }
 }
 
+/** A tile, in blocks whose rays go much the same way. */
 - (void) tile: (unsigned)tile counters: (struct counters *)count
 {
   unsigned x0 = image->window.x0 + tile % tiles_across * TILE;
   unsigned y0 = image->window.y0 + tile / tiles_across * TILE;
+  unsigned x1 = MIN(x0 + TILE, image->window.x1);
+  unsigned y1 = MIN(y0 + TILE, image->window.y1);
 
-  for (unsigned y = y0; y < y0 + TILE && y < image->window.y1; y++)
+  for (unsigned y = y0; y < y1; y += DOWN)
     {
-      for (unsigned x = x0; x < x0 + TILE && x < image->window.x1; x++)
+      for (unsigned x = x0; x < x1; x += ACROSS)
         {
-          [self pixel: x : y counters: count];
+          struct window block = { x, y, MIN(x + ACROSS, x1),
+                                  MIN(y + DOWN, y1) };
+          [self pixelsOf: block counters: count];
         }
     }
 }

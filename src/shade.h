@@ -1,6 +1,6 @@
 // shade.h - what light does at a hit point: the formulas of the notes, once,
 // as inline C on values. ray_t calls them one after the other, and so does
-// kernel/k_trace.c: both engines get the same bits. All products of colours
+// kernel/k_trace.inc.c: both engines get the same bits. All products of colours
 // are channel by channel; nothing is clamped.
 
 #ifndef SHADE_H
@@ -8,6 +8,7 @@
 
 #include <float.h>
 #include "kernel/k_vec.h"
+#include "power.h"
 
 /** Notes, "ray objectification": the mirrored direction D - 2 (D.N) N.
     D runs towards the surface, N is unit; either side of N will do. */
@@ -102,47 +103,6 @@ shade_schlick(struct k_vec D, struct k_vec N, struct k_vec T,
   return R0 + (1 - R0) * (m2 * m2 * m);
 }
 
-/** x^y for 0 <= x <= 1 and y >= 0 with + * / and sqrt alone, so that it has the
-    same bits everywhere: the whole part of y by squaring, its binary
-    fraction by repeated square roots. 0^0 is 1. */
-static inline double
-shade_pow(double x, double y)
-{
-  double result = 1;
-
-  if (y >= 0x1p64)
-    {
-      return x < 1 ? 0 : 1;
-    }
-  double whole = floor(y);
-  double fraction = y - whole;
-
-  if (x == 0)
-    {
-      return y == 0 ? 1 : 0;
-    }
-  for (double p = x, n = whole; n > 0; p *= p)
-    {
-      double half = floor(n / 2);
-      if (n != 2 * half)
-        {
-          result *= p;
-        }
-      n = half;
-    }
-  for (double root = x; fraction > 0;)
-    {
-      root = sqrt(root);
-      fraction *= 2;
-      if (fraction >= 1)
-        {
-          result *= root;
-          fraction -= 1;
-        }
-    }
-  return result;
-}
-
 /** a / b for a colour a and a length b >= 0. A quotient past the largest
     double stays there, and 0 / 0 is 0: no infinity, no NaN. */
 static inline struct k_vec
@@ -222,7 +182,7 @@ shade_highlight(struct k_vec color, struct k_vec specular, struct k_vec e,
 
   h_dot_v = h_dot_v > 0 ? h_dot_v < 1 ? h_dot_v : 1 : 0;
   return k_add(color,
-               k_scale(k_mul(specular, e), shade_pow(h_dot_v, shininess)));
+               k_scale(k_mul(specular, e), power(h_dot_v, shininess)));
 }
 
 #endif

@@ -1,5 +1,5 @@
 #include "shell.h"
-#include "kernel/k_bounds.h"
+#include "shell_orient.h"
 #include <stdlib.h>
 
 /** One side of one face. */
@@ -16,12 +16,6 @@ struct corner
   struct k_vec v;
   unsigned face, i;
 };
-
-static struct k_vec
-vertex_of(const struct shell_face *f, unsigned i)
-{
-  return k_vec(f->vertex[0][i], f->vertex[1][i], f->vertex[2][i]);
-}
 
 static int
 compare_points(struct k_vec a, struct k_vec b)
@@ -72,7 +66,7 @@ sorted_sides(const struct shell_face *faces, unsigned count, unsigned *total)
           first[f] = k;
           for (unsigned i = 0; i < faces[f].n; i++, k++)
             {
-              corners[k].v = vertex_of(&faces[f], i);
+              corners[k].v = shell_vertex(&faces[f], i);
               corners[k].face = f;
               corners[k].i = i;
             }
@@ -191,124 +185,6 @@ spread(struct shell_face *faces, unsigned count, const struct link *links,
   return count;
 }
 
-/** A vertex seen from p, divided by `scale`, a power of two, so that products
-    of three lengths stay in range. */
-static struct k_vec
-seen_from(struct k_vec p, const struct shell_face *f, unsigned i,
-          double scale)
-{
-  return k_div(k_sub(vertex_of(f, i), p), scale);
-}
-
-/** Six times the signed volume of a shell, as its faces are turned, measured
-    from p. */
-static double
-volume(const struct shell_face *faces, unsigned count, unsigned shell,
-       struct k_vec p, double scale)
-{
-  double sum = 0;
-
-  for (unsigned f = 0; f < count; f++)
-    {
-      if (faces[f].shell == shell)
-        {
-          struct k_vec a = seen_from(p, &faces[f], 0, scale);
-          double part = 0;
-          for (unsigned i = 1; i + 1 < faces[f].n; i++)
-            {
-              struct k_vec b = seen_from(p, &faces[f], i, scale);
-              struct k_vec c = seen_from(p, &faces[f], i + 1, scale);
-              part += k_dot(a, k_cross(b, c));
-            }
-          sum += faces[f].is_turned ? -part : part;
-        }
-    }
-  return sum;
-}
-
-/** The solid angle, signed, in turns, of a triangle seen from the origin
-    (Van Oosterom and Strackee 1983). */
-static double
-turns_of_triangle(struct k_vec a, struct k_vec b, struct k_vec c)
-{
-  double la = k_length(a), lb = k_length(b), lc = k_length(c);
-  double y = k_dot(a, k_cross(b, c));
-  double x = la * lb * lc + k_dot(a, b) * lc + k_dot(b, c) * la
-    + k_dot(c, a) * lb;
-
-  return atan2(y, x) / (2 * M_PI);
-}
-
-/** Whether p is inside a shell: its faces cover a full turn seen from p. */
-static int
-is_inside(const struct shell_face *faces, unsigned count, unsigned shell,
-          struct k_vec p, double scale)
-{
-  double turns = 0;
-
-  for (unsigned f = 0; f < count; f++)
-    {
-      if (faces[f].shell == shell)
-        {
-          struct k_vec a = seen_from(p, &faces[f], 0, scale);
-          double part = 0;
-          for (unsigned i = 1; i + 1 < faces[f].n; i++)
-            {
-              part += turns_of_triangle(a, seen_from(p, &faces[f], i, scale),
-                                        seen_from(p, &faces[f], i + 1,
-                                                  scale));
-            }
-          turns += faces[f].is_turned ? -part : part;
-        }
-    }
-  return fabs(turns) > 0.5;
-}
-
-static void
-turn_shell(struct shell_face *faces, unsigned count, unsigned shell)
-{
-  for (unsigned f = 0; f < count; f++)
-    {
-      faces[f].is_turned ^= faces[f].shell == shell;
-    }
-}
-
-/** Turns every shell outwards, then those that are cavities inwards. */
-static void
-orient(struct shell_face *faces, unsigned count, unsigned shells)
-{
-  struct k_bounds box = k_nothing();
-
-  for (unsigned f = 0; f < count; f++)
-    {
-      for (unsigned i = 0; i < faces[f].n; i++)
-        {
-          box = k_bounds_include(box, vertex_of(&faces[f], i));
-        }
-    }
-  double scale = k_exponent_scale(k_sub(box.most, box.least));
-  for (unsigned s = 0; s < shells; s++)
-    {
-      unsigned f = 0;
-      while (faces[f].shell != s)
-        {
-          f++;
-        }
-      struct k_vec p = vertex_of(&faces[f], 0);
-      int depth = 0;
-      for (unsigned other = 0; other < shells; other++)
-        {
-          depth += other != s && is_inside(faces, count, other, p,
-                                              scale);
-        }
-      int is_outward = volume(faces, count, s, p, scale) > 0;
-      if (is_outward != (depth % 2 == 0))
-        {
-          turn_shell(faces, count, s);
-        }
-    }
-}
-
 int
 shells_close(struct shell_face *faces, unsigned count,
              struct shell_edge *open)
@@ -340,8 +216,8 @@ shells_close(struct shell_face *faces, unsigned count,
         {
           const struct shell_face *f = &faces[s->face];
           open->face = s->face;
-          open->a = vertex_of(f, s->corner);
-          open->b = vertex_of(f, (s->corner + 1) % f->n);
+          open->a = shell_vertex(f, s->corner);
+          open->b = shell_vertex(f, (s->corner + 1) % f->n);
           open->faces = kept;
           shells = 0;
           goto done;
@@ -365,13 +241,16 @@ shells_close(struct shell_face *faces, unsigned count,
   if (odd < count)
     {
       open->face = odd;
-      open->a = vertex_of(&faces[odd], 0);
-      open->b = vertex_of(&faces[odd], 1);
+      open->a = shell_vertex(&faces[odd], 0);
+      open->b = shell_vertex(&faces[odd], 1);
       open->faces = 2;
       shells = 0;
       goto done;
     }
-  orient(faces, count, shells);
+  if (!shells_orient(faces, count, shells))
+    {
+      shells = -1;
+    }
 done:
   free(sides);
   free(links);

@@ -17,6 +17,12 @@ struct shell_face
                         // its right-handed normal points out of the volume
 };
 
+static inline struct k_vec
+shell_vertex(const struct shell_face *f, unsigned i)
+{
+  return k_vec(f->vertex[0][i], f->vertex[1][i], f->vertex[2][i]);
+}
+
 /** An edge that is not shared as it has to be. */
 struct shell_edge
 {

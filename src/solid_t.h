@@ -9,6 +9,7 @@
 #import "object_t.h"
 
 @class polygon_t;
+struct shell_face;
 
 @interface solid_t : object_t
 {
@@ -18,6 +19,10 @@
 @protected
   struct k_bounds box;
 }
+
+/** The polygons as shells_close takes them; to be freed. They own the
+    vertices. */
++ (struct shell_face *) newShellFaces: (NSArray *)polygons;
 
 /** Joins the polygons that name a solid: checks that they close a volume and
     are of one alpha and ior, turns them outwards, and puts a clear solid in

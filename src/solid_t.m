@@ -2,8 +2,9 @@
 #import "compiler_t.h"
 #import "diag_t.h"
 #import "material_t.h"
+#import "open_solids_t.h"
 #import "polygon_t.h"
-#import "ray_t.h"
+#include "grow.h"
 #include "shell.h"
 
 // Clipping asks every face of a convex solid; past this many it is no faster
@@ -29,20 +30,31 @@
   return YES;
 }
 
-/** Checks that the faces close a volume and turns them outwards. */
-- (BOOL) close: (diag_t *)diag
++ (struct shell_face *) newShellFaces: (NSArray *)polygons
 {
-  unsigned count = [faces count], i = 0;
-  struct shell_face *f = calloc(count, sizeof *f);
-  struct shell_edge open;
+  struct shell_face *f = new_array([polygons count], sizeof *f), *next = f;
 
-  for (polygon_t *face in faces)
+  for (polygon_t *face in polygons)
     {
-      f[i].n = face->count;
-      f[i].vertex = (const double *const *)face->vertex;
-      i++;
+      next->n = face->count;
+      next->vertex = (const double *const *)face->vertex;
+      next++;
     }
+  return f;
+}
+
+/** Checks that the faces close a volume and turns them outwards. */
+- (BOOL) close: (open_solids_t *)open_solids
+{
+  unsigned count = [faces count], i;
+  struct shell_face *f = [solid_t newShellFaces: faces];
+  struct shell_edge open;
   int shells = shells_close(f, count, &open);
+
+  if (shells < 0)
+    {
+      raise_no_memory(count);
+    }
   for (i = 0; i < count; i++)
     {
       if (shells > 0 && f[i].is_turned)
@@ -53,14 +65,7 @@
   free(f);
   if (shells == 0)
     {
-      polygon_t *face = [faces objectAtIndex: open.face];
-      NSString *how = open.faces == 1 ? @"belongs to no other face"
-        : open.faces == 2 ? @"has its two faces the wrong way round"
-        : [NSString stringWithFormat: @"is in %u faces", open.faces];
-      [diag fault: face->solid_place : @"solid '%@' is not closed: the edge"
-        @" from (%.6g %.6g %.6g) to (%.6g %.6g %.6g) of polygon '%@' %@",
-            name, open.a.x, open.a.y, open.a.z, open.b.x, open.b.y, open.b.z,
-            face->name, how];
+      [open_solids add: faces edge: open];
     }
   return shells > 0;
 }
@@ -94,8 +99,10 @@
   return YES;
 }
 
-/** nil, and a fault in diag, if the faces do not make a solid. */
+/** nil if the faces do not make a solid, and a fault in diag or one more of
+    the open solids. */
 - (id) initWithFaces: (NSArray *)polygons diag: (diag_t *)diag
+                open: (open_solids_t *)open_solids
 {
   if ((self = [super init]))
     {
@@ -112,7 +119,7 @@
           box = k_bounds_include(k_bounds_include(box, b.least), b.most);
           slack = k_max2(slack, face->slack);
         }
-      if (![self isOfOneKind: diag] || ![self close: diag])
+      if (![self isOfOneKind: diag] || ![self close: open_solids])
         {
           [self release];
           return nil;
@@ -139,142 +146,6 @@
 - (struct k_bounds) bounds
 {
   return box;
-}
-
-- (BOOL) isFace: (object_t *)object
-{
-  return [object medium] == self;
-}
-
-/** Inside, strictly. For a solid that is not convex: how often a line in a
-    fixed direction crosses the faces. */
-- (BOOL) contains: (struct k_vec)P
-{
-  BOOL is_inside = is_convex, is_on_face = NO;
-  vec_t *pos = [[vec_t alloc] initWithValue: P];
-  vec_t *dir = [[vec_t alloc] initWithValue: k_unit(k_vec(5, 3, 2))];
-  ray_t *ray = [[ray_t alloc] init: pos : dir];
-
-  for (polygon_t *face in faces)
-    {
-      double t;
-      if (is_convex)
-        {
-          is_inside &= k_dot(face->plane.n, k_sub(P, face->plane.q)) < 0;
-        }
-      else if (k_plane_hit(&face->plane, P, dir->v, &t) && t >= 0
-               && [face holds: ray at: t])
-        {
-          is_inside = !is_inside;
-          is_on_face |= t == 0;
-        }
-    }
-  [ray release];
-  [dir release];
-  [pos release];
-  return is_inside && !is_on_face;
-}
-
-/** A convex solid: the ray is in front of some faces until the last of them
-    and behind the others from the first of those. No face is asked for its
-    outline, so no ray slips through between two of them. */
-- (void) clip: (ray_t *)ray isInside: (BOOL)is_inside
-{
-  struct k_vec o = ray->pos->v, d = ray->dir->v;
-  polygon_t *in = nil, *out = nil;
-  double t_in = -HUGE_VAL, t_out = HUGE_VAL, t;
-
-  for (polygon_t *face in faces)
-    {
-      double n_dot_d = k_dot(face->plane.n, d);
-      double ahead = k_dot(face->plane.n, k_sub(face->plane.q, o));
-      if (n_dot_d == 0)
-        {
-          if (ahead < 0 && !is_inside)
-            {
-              return;
-            }
-          continue;
-        }
-      t = ahead / n_dot_d;
-      if (n_dot_d < 0 && t > t_in)
-        {
-          t_in = t;
-          in = face;
-        }
-      else if (n_dot_d > 0 && t < t_out && ray->from != face)
-        {
-          t_out = t;
-          out = face;
-        }
-    }
-  if (is_inside && out)
-    {
-      t = t_out > 0 ? t_out : 0;
-      [ray exits: out at: t normal: out->plane.n
-           point: k_plane_point(&out->plane, o, d, t)];
-    }
-  else if (!is_inside && in && out && t_in <= t_out
-           && ![ray meets: in at: t_in normal: in->plane.n
-                    point: k_plane_point(&in->plane, o, d, t_in)])
-    {
-      // It starts on the surface and runs in: only the way out is ahead.
-      [ray meets: out at: t_out normal: out->plane.n
-           point: k_plane_point(&out->plane, o, d, t_out)];
-    }
-}
-
-/** Any solid: a ray that comes from a surface meets, outside, only faces that
-    it goes in through, and inside only those it goes out through; those at
-    t = 0, round the edge it stands on, too. */
-- (void) search: (ray_t *)ray isInside: (BOOL)is_inside
-{
-  struct k_vec o = ray->pos->v, d = ray->dir->v;
-
-  for (polygon_t *face in faces)
-    {
-      double t;
-      if (ray->from == face
-          || ((ray->from || is_inside)
-              && (k_dot(face->plane.n, d) > 0) != is_inside)
-          || ![face meetsPlane: ray at: &t])
-        {
-          continue;
-        }
-      double tolerance = ray->slack + slack;
-      double off = fabs(k_dot(face->plane.n, k_sub(face->plane.q, o)));
-      BOOL stands_on_it = is_inside && ray->from && off <= tolerance
-        && fabs(t) <= 16 * tolerance;
-      if (stands_on_it && [face holds: ray at: t])
-        {
-          [ray exits: face at: t > 0 ? t : 0 normal: face->plane.n point: o];
-        }
-      else if (!stands_on_it && [ray wants: t] && [face holds: ray at: t])
-        {
-          [ray meets: face at: t normal: face->plane.n
-               point: k_plane_point(&face->plane, o, d, t)];
-        }
-    }
-}
-
-- (void) hits: (ray_t *)ray
-{
-  BOOL is_inside = [media_t media: ray->media has: self];
-
-  if (is_convex)
-    {
-      // From a face of a convex solid outwards there is no way back to it.
-      BOOL starts_outside = ray->from && [self isFace: ray->from]
-        && !ray->starts_inside;
-      if (is_inside || !starts_outside)
-        {
-          [self clip: ray isInside: is_inside];
-        }
-    }
-  else
-    {
-      [self search: ray isInside: is_inside];
-    }
 }
 
 - (BOOL) compile: (compiler_t *)compiler
@@ -307,6 +178,7 @@
 {
   NSMutableDictionary *by_name = [NSMutableDictionary dictionary];
   NSMutableArray *names = [NSMutableArray array];
+  open_solids_t *open = [[open_solids_t new] autorelease];
 
   for (polygon_t *polygon in polygons)
     {
@@ -326,7 +198,8 @@
   for (NSString *each in names)
     {
       NSArray *group = [by_name objectForKey: each];
-      solid_t *solid = [[solid_t alloc] initWithFaces: group diag: diag];
+      solid_t *solid = [[solid_t alloc] initWithFaces: group diag: diag
+                                                  open: open];
       if (solid)
         {
           if (solid->material->alpha > 0)
@@ -336,6 +209,7 @@
           [solid release];
         }
     }
+  [open tell: diag];
 }
 
 @end

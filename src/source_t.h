@@ -13,15 +13,21 @@
   dev_t device;         // these two tell whether it is the same file
   ino_t inode;
   int file;             // diag_t's number for it; set by text_t
+  BOOL is_told_again;   // it was included before, and that has been told
 @protected
   NSData *bytes;
   struct checkpoint *checkpoints;       // line and column every so many bytes
   unsigned checkpoint_count, checkpoint_capacity;
 }
 
-/** Reads the file. nil with an NSError of the NSPOSIXErrorDomain in *error
-    if that cannot be done. At a NUL byte, which no text has, it stops. */
-- (id) initWithFile: (NSString *)path error: (NSError **)error;
+/** Reads a scene: a file, a pipe, or standard input, which "-" is. For somebody
+    to write to a named pipe it waits three seconds. nil with an NSError of the
+    NSPOSIXErrorDomain in *error if it cannot be read. At a NUL byte, which no
+    text has, it stops. */
+- (id) initWithScene: (NSString *)path error: (NSError **)error;
+
+/** The same with a file that is included: an ordinary one. */
+- (id) initWithInclude: (NSString *)path error: (NSError **)error;
 
 /** What was read, as it is in the file. */
 - (NSData *) bytes;

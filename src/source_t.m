@@ -4,11 +4,13 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #define STEP 512                // bytes between checkpoints
 #define CHUNK (1 << 20)         // bytes to read at once
+#define PATIENCE 3000           // milliseconds for a pipe to be written to
 
 static const char byte_order_mark[] = "\xEF\xBB\xBF";
 
@@ -18,10 +20,38 @@ struct checkpoint
   int line, column;
 };
 
+/** Reads a piece, 0 at the end, as soon as there is one: the file does not
+    block. A pipe that has no writer is at its end; *is_awaited: one may come.
+    Then, if none does in time, it is -1 and ETIMEDOUT. */
+static ssize_t
+read_some(int fd, char *buffer, size_t size, BOOL *is_awaited)
+{
+  struct pollfd ready = { .fd = fd, .events = POLLIN };
+  int patience = PATIENCE;
+
+  for (;;)
+    {
+      ssize_t got = read(fd, buffer, size);
+
+      if (got > 0 || (got == 0 && !*is_awaited)
+          || (got < 0 && errno != EINTR && errno != EAGAIN))
+        {
+          return got;
+        }
+      if (got == 0 && patience == 0)
+        {
+          errno = ETIMEDOUT;
+          return -1;
+        }
+      patience = poll(&ready, 1, got < 0 ? -1 : patience) == 0 ? 0 : patience;
+      *is_awaited &= !(ready.revents & POLLHUP);
+    }
+}
+
 /** Reads until the end or a NUL into memory of its own, with a NUL after it.
     NULL and errno if that cannot be done. */
 static char *
-read_all(int fd, size_t expected, size_t *size)
+read_all(int fd, size_t expected, BOOL is_awaited, size_t *size)
 {
   size_t capacity = expected + 2, used = 0;
   char *buffer = malloc(capacity);
@@ -29,16 +59,14 @@ read_all(int fd, size_t expected, size_t *size)
 
   while (buffer && got > 0)
     {
-      got = read(fd, buffer + used, MIN(capacity - used - 1, CHUNK));
+      got = read_some(fd, buffer + used, MIN(capacity - used - 1, CHUNK),
+                      &is_awaited);
       if (got > 0)
         {
           BOOL has_nul = memchr(buffer + used, '\0', got) != NULL;
           used += got;
           got = has_nul ? 0 : got;
-        }
-      else if (got < 0 && errno == EINTR)
-        {
-          got = 1;
+          is_awaited = NO;
         }
       if (got < 0 || used >= UINT_MAX)
         {
@@ -66,7 +94,7 @@ read_all(int fd, size_t expected, size_t *size)
 
 @implementation source_t
 
-- (BOOL) readFrom: (int)fd
+- (BOOL) readFrom: (int)fd isInclude: (BOOL)is_include
 {
   struct stat status;
   size_t size;
@@ -75,12 +103,18 @@ read_all(int fd, size_t expected, size_t *size)
     {
       return NO;
     }
+  if (is_include && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode))
+    {
+      errno = EINVAL;
+      return NO;
+    }
   device = status.st_dev;
   inode = status.st_ino;
 
   size_t expected = S_ISREG(status.st_mode) && status.st_size < UINT_MAX
     ? status.st_size : CHUNK;
-  char *buffer = read_all(fd, expected, &size);
+  BOOL is_awaited = S_ISFIFO(status.st_mode) && fd != STDIN_FILENO;
+  char *buffer = read_all(fd, expected, is_awaited, &size);
 
   if (buffer == NULL)
     {
@@ -99,28 +133,54 @@ read_all(int fd, size_t expected, size_t *size)
   return YES;
 }
 
-- (id) initWithFile: (NSString *)path error: (NSError **)error
+/** What the operating system's words for an error do not say. */
+static NSError *
+error_of(int reason)
+{
+  NSString *text = reason == EINVAL ? @"Not an ordinary file"
+    : reason == ETIMEDOUT ? @"Nobody writes to this pipe" : nil;
+  NSDictionary *info = text == nil ? nil
+    : [NSDictionary dictionaryWithObject: text
+                                  forKey: NSLocalizedDescriptionKey];
+
+  return [NSError errorWithDomain: NSPOSIXErrorDomain code: reason
+                         userInfo: info];
+}
+
+- (id) initWithFile: (NSString *)path isInclude: (BOOL)is_include
+              error: (NSError **)error
 {
   if ((self = [super init]))
     {
-      int fd = open([path UTF8String], O_RDONLY | O_CLOEXEC);
-      BOOL is_read = fd >= 0 && [self readFrom: fd];
+      BOOL is_standard = !is_include && [path isEqual: @"-"];
+      int fd = is_standard ? STDIN_FILENO
+        : open([path UTF8String], O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+      BOOL is_read = fd >= 0 && [self readFrom: fd isInclude: is_include];
       int reason = errno;
 
-      if (fd >= 0)
+      if (fd >= 0 && !is_standard)
         {
           close(fd);
         }
       if (!is_read)
         {
-          *error = [NSError errorWithDomain: NSPOSIXErrorDomain code: reason
-                                   userInfo: nil];
+          *error = error_of(reason);
           [self release];
           return nil;
         }
       name = [path copy];
     }
   return self;
+}
+
+- (id) initWithScene: (NSString *)path error: (NSError **)error
+{
+  return [self initWithFile: path isInclude: NO error: error];
+}
+
+- (id) initWithInclude: (NSString *)path error: (NSError **)error
+{
+  return [self initWithFile: path isInclude: YES error: error];
 }
 
 - (void) dealloc

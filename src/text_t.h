@@ -44,6 +44,9 @@
 /** Whether this file is being read, or one that includes another. */
 - (BOOL) isReading: (source_t *)source;
 
+/** The file in which the place of that order is. */
+- (source_t *) sourceAt: (unsigned)order;
+
 /** Where the place of that order is. */
 - (struct place) placeAt: (unsigned)order;
 

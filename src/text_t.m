@@ -116,7 +116,8 @@ struct open_file
   return NO;
 }
 
-- (struct place) placeAt: (unsigned)order
+/** The piece of a file in which the place of that order is. */
+- (const struct segment *) segmentAt: (unsigned)order
 {
   unsigned first = 0, last = segment_count;     // it is in first … last - 1
 
@@ -133,7 +134,17 @@ struct open_file
         }
     }
 
-  const struct segment *segment = &segments[first];
+  return &segments[first];
+}
+
+- (source_t *) sourceAt: (unsigned)order
+{
+  return [sources objectAtIndex: [self segmentAt: order]->source];
+}
+
+- (struct place) placeAt: (unsigned)order
+{
+  const struct segment *segment = [self segmentAt: order];
   source_t *source = [sources objectAtIndex: segment->source];
   struct place place = { .file = source->file, .order = order };
 

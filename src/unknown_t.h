@@ -20,7 +20,7 @@
 /** Notes that a block names a material that does not exist. A name that is
     near that of a material which others use is a slip in each place. Any other
     is a material that is missing or has got a wrong name itself: that is
-    told once. */
+    told once. That there is no material at all is told once, too. */
 - (void) refuse: (struct value)value of: (const struct record *)record;
 
 @end

@@ -96,6 +96,10 @@
     : [NSString stringWithFormat: @"; did you mean '%@'?", nearest];
   BOOL is_slip = nearest != nil && [self isUsed: nearest];
 
+  if ([[self names] count] == 0 && [told count] > 0)
+    {
+      advice = @"";     // none at all: that has been told
+    }
   [told setObject: is_slip ? advice : @"" forKey: name];
   return advice;
 }

@@ -514,4 +514,15 @@ q_apart(struct k_vec a, struct q_vec b)
   return x > y ? (x > z ? x : z) : (y > z ? y : z);
 }
 
+/** The colour of one eye ray. */
+static inline struct k_vec
+support_color(id <engine_t> engine, struct k_vec o, struct k_vec d,
+              struct counters *counters)
+{
+  struct eye_ray ray = { .o = o, .d = d };
+
+  [engine trace: &ray : 1 counters: counters];
+  return ray.color;
+}
+
 #endif

@@ -39,6 +39,10 @@ INCLUDES := -Isrc $(filter -I%,$(shell pkg-config --cflags $(PACKAGES)))
 
 # No flag here may change the value of a floating-point operation: every
 # compiler and every level has to give the same picture.
+#
+# Two warnings of -Wextra are off: unused-parameter, since a method or callback
+# has the parameters that its caller gives whether it needs them or not, and
+# expansion-to-defined, of which GNUstep's headers are full.
 FLAGS := -std=gnu11 $(OPT) -g \
   -ffp-contract=off -fno-fast-math -fno-math-errno \
   -Wall -Wextra -Werror -Wno-unused-parameter -Wno-expansion-to-defined

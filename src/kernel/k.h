@@ -9,6 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "../counters.h"
+#include "../eye_ray.h"
 #include "k_bounds.h"
 #include "k_plane_hit.h"
 
@@ -129,10 +130,10 @@ struct k_surface_hit
   unsigned number;      // 0: nothing
 };
 
-/** The colour that comes back along an eye ray from o along the unit d. */
-struct k_vec k_trace(const struct k_scene *scene, struct k_vec o,
-                     struct k_vec d, const struct k_media *media,
-                     struct counters *counters);
+/** The colours of n eye rays; faster when they go much the same way. What
+    each starts in is media[i]; media NULL: all in nothing. */
+void k_trace(const struct k_scene *scene, struct eye_ray *rays, unsigned n,
+             const struct k_media *const *media, struct counters *counters);
 
 struct k_surface_hit k_first_hit(const struct k_scene *scene, struct k_vec o,
                                  struct k_vec d,

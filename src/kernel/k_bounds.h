@@ -71,6 +71,24 @@ k_bounds_extent(struct k_bounds b)
   return k_norm_max(k_sub(b.most, b.least));
 }
 
+/** Whether p is in the box or on it. */
+static inline int
+k_bounds_hold(const struct k_bounds *b, struct k_vec p)
+{
+  return b->least.x <= p.x && p.x <= b->most.x
+    && b->least.y <= p.y && p.y <= b->most.y
+    && b->least.z <= p.z && p.z <= b->most.z;
+}
+
+/** Whether two boxes have a point in common. */
+static inline int
+k_bounds_overlap(const struct k_bounds *a, const struct k_bounds *b)
+{
+  return a->least.x <= b->most.x && b->least.x <= a->most.x
+    && a->least.y <= b->most.y && b->least.y <= a->most.y
+    && a->least.z <= b->most.z && b->least.z <= a->most.z;
+}
+
 /** The box grown on every side by 2^-40 of its magnitude, so that what is
     computed to lie on the shape lies in it, not only what would exactly. */
 static inline struct k_bounds

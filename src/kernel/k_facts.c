@@ -21,7 +21,10 @@ bytes_of(const struct k_scene *scene)
 
   for (uint32_t i = 0; i < scene->polygon_count; i++)
     {
-      bytes += 3 * (scene->polygons[i].n + 5) * sizeof(double);
+      const struct k_polygon *p = &scene->polygons[i];
+      bytes += 3 * (p->n + 5) * sizeof(double);
+      bytes += p->grid ? sizeof *p->grid + p->grid->side * p->grid->side / 4
+        : 0;
     }
   return bytes;
 }
@@ -41,9 +44,6 @@ k_scene_facts(const struct k_scene *scene, struct k_facts *facts)
   facts->cost = scene->tree.cost;
   facts->bytes = bytes_of(scene);
   facts->isa = scene->isa->name;
-  for (uint32_t i = 0; i < scene->material_count; i++)
-    {
-      facts->has_mirrors |= !k_is_zero(scene->materials[i].specular);
-      facts->has_clear |= scene->materials[i].alpha > 0;
-    }
+  facts->has_mirrors = scene->has_mirrors;
+  facts->has_clear = scene->has_clear;
 }

@@ -4,6 +4,7 @@
 #ifndef K_LEAF_H
 #define K_LEAF_H
 
+#include "k_media.h"
 #include "k_polygon_hit.h"
 #include "k_scene.h"
 #include "k_simd.h"
@@ -125,7 +126,7 @@ k_polygon_crossings_4(struct k_vec o, const struct k_shear *shear, unsigned n,
 }
 
 static inline int
-k_polygon_holds(const struct k_polygon *polygon, const struct k_ray *ray,
+k_polygon_holds(const struct k_polygon *polygon, struct k_ray *ray,
                 double t)
 {
   switch (polygon->test)
@@ -137,7 +138,16 @@ k_polygon_holds(const struct k_polygon *polygon, const struct k_ray *ray,
       return k_polygon_angles(k_along(ray->o, t, ray->d), polygon->newell,
                               polygon->n, polygon->vertex);
     default:
-      return k_polygon_crossings_4(ray->o, &ray->shear, polygon->n,
+      if (polygon->grid)
+        {
+          enum k_cell cell = k_polygon_grid_at(polygon->grid, &polygon->plane,
+                                               ray->o, ray->d, t);
+          if (cell != K_CELL_MIXED)
+            {
+              return cell == K_CELL_IN;
+            }
+        }
+      return k_polygon_crossings_4(ray->o, k_ray_shear(ray), polygon->n,
                                    polygon->vertex);
     }
 }
@@ -149,18 +159,7 @@ k_polygon_plane_hit(const struct k_polygon *polygon, const struct k_ray *ray,
 {
   return k_plane_hit(&polygon->plane, ray->o, ray->d, t)
     && (polygon->test != 0
-        || k_polygon_settle(&polygon->plane, ray->o, ray->d, ray->inverse,
-                            polygon->n, polygon->vertex, t));
-}
-
-static inline int
-k_media_has(const struct k_media *media, unsigned medium)
-{
-  while (media && media->medium != medium)
-    {
-      media = media->below;
-    }
-  return media != NULL;
+        || k_polygon_settle(&polygon->plane, ray->o, ray->d, polygon->n, polygon->vertex, t));
 }
 
 /** A face of a clear solid that is not convex: -[solid_t search:isInside:]. */
@@ -168,11 +167,13 @@ static inline void
 k_face_ask(const struct k_polygon *face, struct k_ray *ray)
 {
   int is_inside = k_media_has(ray->media, face->s.medium);
+  int comes_from_it = ray->from && ray->from->medium == face->s.medium;
+  int goes_out = is_inside || (comes_from_it && ray->starts_inside);
   double t;
 
   if (ray->from == &face->s
-      || ((ray->from || is_inside)
-          && (k_dot(face->plane.n, ray->d) > 0) != is_inside)
+      || ((is_inside || comes_from_it)
+          && (k_dot(face->plane.n, ray->d) > 0) != goes_out)
       || !k_polygon_plane_hit(face, ray, &t))
     {
       return;
@@ -259,6 +260,16 @@ k_convex_ask(const struct k_scene *scene, const struct k_convex *solid,
     {
       k_meets_plane(ray, &out->s, t_out, &out->plane);
     }
+}
+
+/** What a ray is in behind a shape of the tree. */
+static inline unsigned
+k_ref_medium(const struct k_scene *scene, struct k_ref ref)
+{
+  return ref.kind == K_SPHERE ? scene->spheres[ref.index].s.medium
+    : ref.kind == K_POLYGON ? scene->polygons[ref.index].s.medium
+    : ref.kind == K_CONVEX ? scene->convex[ref.index].medium
+    : scene->users[ref.index].s.medium;
 }
 
 /** Asks one shape of the tree; feelers skip what is clear. */

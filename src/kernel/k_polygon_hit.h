@@ -63,8 +63,7 @@ k_polygon_crossings(struct k_vec o, const struct k_shear *shear, unsigned n,
     the ray misses the box. */
 static inline int
 k_polygon_settle(const struct k_plane *plane, struct k_vec o, struct k_vec d,
-                 struct k_vec inverse, unsigned n,
-                 const double *const v[3], double *t)
+                 unsigned n, const double *const v[3], double *t)
 {
   struct k_bounds box = k_nothing();
   double t_in = -HUGE_VAL, t_out = HUGE_VAL;
@@ -78,6 +77,7 @@ k_polygon_settle(const struct k_plane *plane, struct k_vec o, struct k_vec d,
       box = k_bounds_include(box, k_vec(v[0][i], v[1][i], v[2][i]));
     }
   box = k_bounds_pad(box);
+  struct k_vec inverse = k_vec(1 / d.x, 1 / d.y, 1 / d.z);
   k_slab(box.least.x, box.most.x, o.x, inverse.x, &t_in, &t_out);
   k_slab(box.least.y, box.most.y, o.y, inverse.y, &t_in, &t_out);
   k_slab(box.least.z, box.most.z, o.z, inverse.z, &t_in, &t_out);

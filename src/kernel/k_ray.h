@@ -28,32 +28,30 @@ struct k_hit
 
 struct k_ray
 {
-  struct k_vec o, d, inverse;
-  struct k_shear shear;
+  struct k_vec o, d;
+  double dis;                   // of the path before o
+  struct k_shear shear;         // see k_ray_shear
+  int has_shear;
   const struct k_surface *from; // the surface it starts on, or NULL
   int starts_inside;
   double slack;
   int is_feeler;
   double end, end_slack;
   const struct k_media *media;
+  unsigned only;                // the one medium whose surface is asked; 0: all
   struct k_hit hit;
   struct counters *counters;
 };
 
-/** A ray from o along d that has hit nothing yet. Its shear is for polygons
-    and left out when there are none. */
+/** A ray from o along d that has hit nothing yet. */
 static inline void
 k_ray_start(struct k_ray *ray, struct k_vec o, struct k_vec d,
-            const struct k_media *media, struct counters *counters,
-            int needs_shear)
+            const struct k_media *media, struct counters *counters)
 {
   ray->o = o;
   ray->d = d;
-  ray->inverse = k_vec(1 / d.x, 1 / d.y, 1 / d.z);
-  if (needs_shear)
-    {
-      ray->shear = k_shear(d);
-    }
+  ray->has_shear = 0;
+  ray->dis = 0;
   ray->from = NULL;
   ray->starts_inside = 0;
   ray->slack = 0;
@@ -61,9 +59,22 @@ k_ray_start(struct k_ray *ray, struct k_vec o, struct k_vec d,
   ray->end = HUGE_VAL;
   ray->end_slack = 0;
   ray->media = media;
+  ray->only = 0;
   ray->hit.t = HUGE_VAL;
   ray->hit.surface = NULL;
   ray->counters = counters;
+}
+
+/** How a polygon sees the ray: for the first one that asks. */
+static inline const struct k_shear *
+k_ray_shear(struct k_ray *ray)
+{
+  if (!ray->has_shear)
+    {
+      ray->shear = k_shear(ray->d);
+      ray->has_shear = 1;
+    }
+  return &ray->shear;
 }
 
 /** The farthest at which anything is of interest still. */

@@ -53,6 +53,10 @@ k_scene_free(struct k_scene *scene)
     {
       free(scene->vertices[i]);
     }
+  for (uint32_t i = 0; i < scene->polygon_count; i++)
+    {
+      free(scene->polygons[i].grid);
+    }
   free(scene->vertices);
   free(scene->materials);
   free(scene->lights);
@@ -168,6 +172,8 @@ k_add_polygon(struct k_scene *scene, struct k_surface s,
   polygon->newell = newell;
   polygon->n = n;
   polygon->test = test;
+  polygon->grid = test == 0 ? k_polygon_grid(&plane, n, polygon->vertex)
+    : NULL;
   polygon->s = s;
 }
 
@@ -292,6 +298,11 @@ enum k_status
 k_scene_finish(struct k_scene *scene, struct k_settings settings)
 {
   scene->settings = settings;
+  for (uint32_t i = 0; i < scene->material_count; i++)
+    {
+      scene->has_mirrors |= !k_is_zero(scene->materials[i].specular);
+      scene->has_clear |= scene->materials[i].alpha > 0;
+    }
   scene->isa = k_isa_find(settings.isa);
   if (!scene->isa)
     {

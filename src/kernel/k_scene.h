@@ -3,6 +3,7 @@
 #ifndef K_SCENE_H
 #define K_SCENE_H
 
+#include "k_polygon_grid.h"
 #include "k_ray.h"
 
 struct k_sphere
@@ -25,6 +26,7 @@ struct k_polygon
   const double *vertex[3];      // into k_scene.vertices
   unsigned n;
   int test;
+  struct k_polygon_grid *grid;  // or NULL
   struct k_surface s;
 };
 
@@ -113,16 +115,29 @@ struct k_scene
     convex_room, face_room, user_room, unbounded_room, vertices_room,
     media_room;
   int is_short_of_memory;
+  int has_mirrors, has_clear;   // materials that make rays
   struct k_tree tree;
   struct k_settings settings;
   const struct k_isa *isa;
 };
 
-/** What an instruction set provides. */
+#define K_MANY EYE_RAYS         // rays that are traced together, at most
+
+/** What an instruction set provides: the search for one ray and for up to
+    K_MANY, feelers that go to one light or none of them; the colours of up to
+    K_MANY eye rays, and what one of them hits. */
 struct k_isa
 {
   const char *name;
   void (*closest)(const struct k_scene *scene, struct k_ray *ray);
+  void (*find)(const struct k_scene *scene, struct k_ray *rays, unsigned n,
+               int are_feelers);
+  void (*trace)(const struct k_scene *scene, struct eye_ray *rays, unsigned n,
+                const struct k_media *const *media,
+                struct counters *counters);
+  struct k_surface_hit (*first_hit)(const struct k_scene *scene,
+                                    struct k_vec o, struct k_vec d,
+                                    const struct k_media *media);
 };
 
 /** Makes scene->tree of everything with a box. */

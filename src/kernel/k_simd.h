@@ -217,6 +217,10 @@ f8_multiply_subtract(f8 a, f8 b, f8 c)
   return _mm256_fmsub_ps(a, b, c);
 }
 
+static inline f8 f8_add(f8 a, f8 b) { return _mm256_add_ps(a, b); }
+static inline f8 f8_sub(f8 a, f8 b) { return _mm256_sub_ps(a, b); }
+static inline f8 f8_mul(f8 a, f8 b) { return _mm256_mul_ps(a, b); }
+static inline f8 f8_div(f8 a, f8 b) { return _mm256_div_ps(a, b); }
 static inline f8 f8_max(f8 a, f8 acc) { return _mm256_max_ps(a, acc); }
 static inline f8 f8_min(f8 a, f8 acc) { return _mm256_min_ps(a, acc); }
 
@@ -226,6 +230,9 @@ f8_le(f8 a, f8 b)
 {
   return _mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LE_OQ));
 }
+
+#define F8_LOW(a) _mm256_castps256_ps128(a)
+#define F8_HIGH(a) _mm256_extractf128_ps(a, 1)
 
 #elif defined(__SSE2__)
 
@@ -250,6 +257,30 @@ static inline f8
 f8_all(float x)
 {
   return F8(_mm_set1_ps(x), _mm_set1_ps(x));
+}
+
+static inline f8
+f8_add(f8 a, f8 b)
+{
+  return F8(_mm_add_ps(a.l, b.l), _mm_add_ps(a.h, b.h));
+}
+
+static inline f8
+f8_sub(f8 a, f8 b)
+{
+  return F8(_mm_sub_ps(a.l, b.l), _mm_sub_ps(a.h, b.h));
+}
+
+static inline f8
+f8_mul(f8 a, f8 b)
+{
+  return F8(_mm_mul_ps(a.l, b.l), _mm_mul_ps(a.h, b.h));
+}
+
+static inline f8
+f8_div(f8 a, f8 b)
+{
+  return F8(_mm_div_ps(a.l, b.l), _mm_div_ps(a.h, b.h));
 }
 
 static inline f8
@@ -278,6 +309,9 @@ f8_le(f8 a, f8 b)
     | _mm_movemask_ps(_mm_cmple_ps(a.h, b.h)) << 4;
 }
 
+#define F8_LOW(a) (a).l
+#define F8_HIGH(a) (a).h
+
 #else
 
 typedef struct { float x[8]; } f8;
@@ -287,6 +321,10 @@ typedef struct { float x[8]; } f8;
 
 static inline f8 f8_load(const float *p) { F8_EACH(p[i]); }
 static inline f8 f8_all(float x) { F8_EACH(x); }
+static inline f8 f8_add(f8 a, f8 b) { F8_EACH(a.x[i] + b.x[i]); }
+static inline f8 f8_sub(f8 a, f8 b) { F8_EACH(a.x[i] - b.x[i]); }
+static inline f8 f8_mul(f8 a, f8 b) { F8_EACH(a.x[i] * b.x[i]); }
+static inline f8 f8_div(f8 a, f8 b) { F8_EACH(a.x[i] / b.x[i]); }
 
 static inline f8
 f8_multiply_subtract(f8 a, f8 b, f8 c)
@@ -325,6 +363,54 @@ f8_le(f8 a, f8 b)
       mask |= (unsigned)(a.x[i] <= b.x[i]) << i;
     }
   return mask;
+}
+
+/** The least of all eight. */
+static inline float
+f8_least(f8 a)
+{
+  float least = a.x[0];
+
+  for (int i = 1; i < 8; i++)
+    {
+      least = a.x[i] < least ? a.x[i] : least;
+    }
+  return least;
+}
+
+/** The greatest. */
+static inline float
+f8_most(f8 a)
+{
+  float most = a.x[0];
+
+  for (int i = 1; i < 8; i++)
+    {
+      most = a.x[i] > most ? a.x[i] : most;
+    }
+  return most;
+}
+
+#endif
+
+#ifdef F8_LOW
+
+static inline float
+f8_least(f8 a)
+{
+  __m128 m = _mm_min_ps(F8_LOW(a), F8_HIGH(a));
+
+  m = _mm_min_ps(m, _mm_movehl_ps(m, m));
+  return _mm_cvtss_f32(_mm_min_ss(m, _mm_shuffle_ps(m, m, 1)));
+}
+
+static inline float
+f8_most(f8 a)
+{
+  __m128 m = _mm_max_ps(F8_LOW(a), F8_HIGH(a));
+
+  m = _mm_max_ps(m, _mm_movehl_ps(m, m));
+  return _mm_cvtss_f32(_mm_max_ss(m, _mm_shuffle_ps(m, m, 1)));
 }
 
 #endif

@@ -173,4 +173,19 @@ k_unit(struct k_vec a)
   return k_div(a, sqrt(l2));
 }
 
+/** a / |a| and |a|, as k_unit and k_length have them. */
+static inline struct k_vec
+k_unit_length(struct k_vec a, double *length)
+{
+  double l2 = k_dot(a, a);
+
+  if (l2 > 0x1p-900 && l2 < 0x1p900)
+    {
+      *length = sqrt(l2);
+      return k_div(a, *length);
+    }
+  *length = k_length(a);
+  return k_unit(a);
+}
+
 #endif

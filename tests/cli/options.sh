@@ -43,6 +43,14 @@ wrong "unknown option '--xyzzy'" --xyzzy
 wrong "unknown option '-Z'" -Z
 wrong "unknown option '-Z'" -qZ
 wrong "unknown option '--thread'; did you mean '--threads'?" --thread 4
+wrong "unknown option '--out'; did you mean '--output'?" --out x.exr
+wrong "unknown option '--form'; did you mean '--format-scene'?" --form
+wrong "unknown option '--res'; did you mean '--resolution'?" --res=8x6
+wrong "unknown option '--sample'; did you mean '--samples' or '--sampler'?" \
+  --sample 4
+wrong "unknown option '--s'; did you mean '--samples', '--sampler', '--seed' \
+or '--stats'?" --s
+wrong "unknown option '--'" --=4
 wrong "no scene given; see 'raytrace --help'"
 wrong "no scene given; see 'raytrace --help'" -o x.exr
 wrong "one scene at a time, not 'a' and 'b'" a b
@@ -106,7 +114,7 @@ wrong "argument 2 is not UTF-8" pin.mdl $'\xff'
 
 # What does not go together
 wrong "no output given: -o FILE, or -o - for standard output" pin.mdl
-for bad in x.jpg x x.exrx .. x.exr/ exr; do
+for bad in x.jpg x x.exrx exr /dev/null; do
   wrong "output '$bad' has an unknown suffix; known are .exr, .png and .ppm" \
     pin.mdl -o $bad
 done

@@ -62,11 +62,11 @@ line()
 {
   pass "the plan says: $1" grep -qxF -- "$1" plan.txt
 }
-line "picture   8 x 6 pixels, 48 traced, 1 rays through each"
+line "picture   8 x 6 pixels, 48 traced, 1 ray through each"
 line "shapes    1 sphere"
 line "lights    0"
 line "media     0"
-line "tree      1 nodes, 1 deep"
+line "tree      1 node, 1 deep"
 line "left out  shadow feelers (no light); mirror rays and highlights \
 (nothing specular); refraction and media (nothing transparent); the \
 polygons' view along each ray (no polygon); lens samples (pinhole)"
@@ -84,6 +84,40 @@ status 3 "an included file is not found" "$RAYTRACE" --check user.mdl
 pass "-I finds it" "$RAYTRACE" -I parts --check user.mdl
 pass "so does the second of two" "$RAYTRACE" -I none -I parts --check user.mdl
 
+# Pipes and standard input
+says 0 "" --check - <good.mdl
+pass "- includes from the folder it is called in" "$RAYTRACE" -I parts --check - \
+  <user.mdl
+says 0 "" --check /dev/stdin <good.mdl
+says 0 "" --check <(cat good.mdl)
+says 0 "" --check <(sleep 0.3; head -n 1 good.mdl; sleep 0.3; tail -n 2 good.mdl)
+says 4 "raytrace: cannot read '-': Is a directory" --check - <folder
+mkfifo pipe
+{ sleep 0.3; cat good.mdl >pipe; } &
+says 0 "" --check pipe
+wait
+sleep 4 >pipe & # a writer that says nothing
+sleep 0.1
+timeout 3.5 "$RAYTRACE" --check pipe >out.txt 2>err.txt
+same "$?" 124 "a pipe waits for its writer"
+wait
+says 4 "raytrace: cannot read 'pipe': Nobody writes to this pipe" --check pipe
+for name in pipe /dev/zero /dev/null; do
+  { cat good.mdl; echo "include $name"; } >odd.mdl
+  says 3 "odd.mdl:4:9: error: expected a file to include, '$name' cannot be \
+read: Not an ordinary file
+   4 | include $name
+     |         ^" --check odd.mdl
+done
+
+# NFF, whatever its suffix is written with
+printf '%s\n' v 'from 2 1 5' 'at 0 0 0' 'up 0 1 0' 'angle 40' \
+  'resolution 8 6' >view.nff
+for name in VIEW.NFF View.Nff; do
+  cp view.nff $name
+  says 0 "" --check $name
+done
+
 # Other names
 cp good.mdl 'größe und "mehr".mdl'
 for locale in C C.UTF-8; do
@@ -96,6 +130,11 @@ says 4 "raytrace: cannot read 'nichts ü.mdl': No such file or directory" \
 
 "$RAYTRACE" -v good.mdl -o x.exr 2>err.txt
 same "$(cat err.txt)" \
-  "raytrace: 'good.mdl': 1 objects, 0 lights, 8 x 6 pixels" \
+  "raytrace: 'good.mdl': 1 object, 0 lights, 8 x 6 pixels" \
   "-v tells what was read"
+echo 'light l { location 0 0 0 emissivity 1 1 1 }' >>user.mdl
+"$RAYTRACE" -v -I parts user.mdl -r 5x4 -o x.exr 2>err.txt
+same "$(cat err.txt)" \
+  "raytrace: 'user.mdl': 1 object, 1 light, 5 x 4 pixels" \
+  "and of the picture's size"
 test_done

@@ -18,10 +18,10 @@
 // machine gets that is not an x86-64.
 #undef __AVX2__
 #undef __SSE2__
+#define K_ISA kernel_plain
+#define K_ISA_NAME "plain C"
 #define K_CLOSEST closest_plain
-#include "kernel/k_bvh_trace.inc.c"
-
-static const struct k_isa kernel_plain = { "plain C", closest_plain };
+#include "kernel/k_trace.inc.c"
 
 /** The instruction sets of this machine and plain C; how many. */
 static inline unsigned
@@ -95,7 +95,7 @@ kernel_ray(struct k_vec o, struct k_vec d, struct counters *counters)
   struct k_ray ray;
 
   memset(&ray, 0, sizeof ray);
-  k_ray_start(&ray, o, d, NULL, counters, 1);
+  k_ray_start(&ray, o, d, NULL, counters);
   return ray;
 }
 

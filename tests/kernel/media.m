@@ -118,12 +118,12 @@ scene(uint64_t seed)
       struct k_vec at = k_vec(2.0 * (i % columns) / columns,
                               1.5 * (i / columns) / rows, 0);
       struct k_vec d = k_unit(k_sub(at, o));
-      struct k_vec wanted = [oracle colorAt: o : d counters: &notes];
+      struct k_vec wanted = support_color(oracle, o, d, &notes);
       for (unsigned k = 0; k < count; k++)
         {
           struct counters own = { 0 };
           engine->scene->isa = isas[k];
-          struct k_vec color = [engine colorAt: o : d counters: &own];
+          struct k_vec color = support_color(engine, o, d, &own);
           if (!support_same(color, wanted) && wrong++ < 3)
             {
               printf("# %s: pixel %u: (%a %a %a), not (%a %a %a)\n",

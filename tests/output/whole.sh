@@ -33,9 +33,9 @@ fails()
 # Places that cannot be written to, noticed before there is a scene
 mkdir taken.exr
 touch file
-for output in taken.exr file/x.exr none/x.exr; do
+for output in taken.exr . .. none/ x.exr/ file/x.exr none/x.exr; do
   case $output in
-    taken.exr) why='Is a directory' ;;
+    taken.exr | . | .. | */) why='Is a directory' ;;
     file*) why='Not a directory' ;;
     *) why='No such file or directory' ;;
   esac

@@ -40,6 +40,10 @@ if [ "$BUILD" = sanitize ]; then
     heap-buffer-overflow
   runs overflows.m 1 "1 passed, 1 failed" "exit status 99" \
     "signed integer overflow"
+  if [ "$LEAKS" = 1 ]; then
+    runs leaks.m 1 "1 passed, 1 failed" "exit status 99" \
+      "detected memory leaks"
+  fi
 fi
 
 status 2 "a wrong option" "$ROOT/tests/run" --no-such-option

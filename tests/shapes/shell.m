@@ -120,6 +120,135 @@ boxes(void)
 }
 
 static void
+add_triangle(struct body *b, struct k_vec p, struct k_vec q, struct k_vec r,
+             int is_turned)
+{
+  struct k_vec v[3] = { p, is_turned ? r : q, is_turned ? q : r };
+
+  add(b, 3, v);
+}
+
+/** Turns everything at random, so that points on a face are off it by
+    rounding. */
+static void
+tilt(struct body *b, struct support_random *random)
+{
+  struct k_vec x = support_direction(random);
+  struct k_vec y = k_unit(k_cross(x, support_direction(random)));
+  struct k_vec z = k_cross(x, y);
+
+  for (unsigned f = 0; f < b->count; f++)
+    {
+      for (unsigned i = 0; i < b->faces[f].n; i++)
+        {
+          double *at[3] = { &b->at[f][0][i], &b->at[f][1][i],
+                            &b->at[f][2][i] };
+          struct k_vec v = k_add(k_add(k_scale(x, *at[0]),
+                                       k_scale(y, *at[1])),
+                                 k_scale(z, *at[2]));
+          *at[0] = v.x;
+          *at[1] = v.y;
+          *at[2] = v.z;
+        }
+    }
+}
+
+/** Shells that stand on another's face, outside or inside, with some of their
+    corners or with all. */
+static void
+touching(void)
+{
+  struct shell_edge open;
+  unsigned wrong[5] = { 0 };
+
+  for (unsigned seed = 0; seed < 200; seed++)
+    {
+      struct support_random random = support_seed(seed);
+      unsigned turned = 64 * support_unit(&random);
+      double a = support_between(&random, -2, 1);
+      struct body b[5];
+      for (int k = 0; k < 5; k++)
+        {
+          b[k].count = 0;
+          add_box(&b[k], cube_corner(-3), cube_corner(3), turned);
+        }
+      add_box(&b[0], k_vec(a, -1, 3), k_vec(a + 1, 1, 4), 0);
+      add_box(&b[1], k_vec(a, -1, -3), k_vec(a + 1, 1, 2), 63);
+      add_box(&b[2], k_vec(-1, -3, a), k_vec(1, 3, a + 1), 63);
+      for (int k = 0; k < 8; k++)
+        {
+          // An octahedron with a corner in the middle of each face.
+          struct k_vec x = k_vec(k & 1 ? 3 : -3, 0, 0);
+          struct k_vec y = k_vec(0, k & 2 ? 3 : -3, 0);
+          struct k_vec z = k_vec(0, 0, k & 4 ? 3 : -3);
+          add_triangle(&b[3], x, y, z, __builtin_popcount(k) % 2);
+        }
+      // A tetrahedron with four of the corners: its edges are diagonals.
+      struct k_vec p = k_vec(3, 3, 3), q = k_vec(3, -3, -3);
+      struct k_vec r = k_vec(-3, 3, -3), s = k_vec(-3, -3, 3);
+      add_triangle(&b[4], p, q, r, 1);
+      add_triangle(&b[4], p, r, s, 1);
+      add_triangle(&b[4], p, s, q, 1);
+      add_triangle(&b[4], q, s, r, 1);
+      for (int k = 0; k < 5; k++)
+        {
+          unsigned faces_turned = 0;
+          if (seed % 2)
+            {
+              tilt(&b[k], &random);
+            }
+          wrong[k] += shells_close(b[k].faces, b[k].count, &open) != 2
+            || unlike(&b[k], 0, turned);
+          for (unsigned f = 6; f < b[k].count; f++)
+            {
+              faces_turned += b[k].faces[f].is_turned;
+            }
+          wrong[k] += faces_turned != 0;
+        }
+    }
+  PASS(wrong[0] == 0, "a box that stands on another is outside: %u",
+       wrong[0]);
+  PASS(wrong[1] == 0, "one that stands on its floor is a cavity: %u",
+       wrong[1]);
+  PASS(wrong[2] == 0, "and one between two walls: %u", wrong[2]);
+  PASS(wrong[3] == 0, "and an octahedron that touches every face: %u",
+       wrong[3]);
+  PASS(wrong[4] == 0, "and a tetrahedron whose edges all lie on it: %u",
+       wrong[4]);
+}
+
+/** Boxes in a box, so many that it is of use not to ask them two by two. */
+static void
+many(void)
+{
+  enum { SIDE = 27, BOXES = SIDE * SIDE * SIDE, FACES = 6 * (BOXES + 1) };
+  struct shell_face *faces = calloc(FACES, sizeof *faces);
+  struct body *bodies = calloc(BOXES + 1, sizeof *bodies);
+  struct shell_edge open;
+  unsigned wrong = 0;
+
+  for (unsigned i = 0; i <= BOXES; i++)
+    {
+      struct k_vec at = k_vec(i % SIDE, i / SIDE % SIDE,
+                              i / (SIDE * SIDE) % SIDE);
+      bodies[i].count = 0;
+      add_box(&bodies[i], i ? at : cube_corner(-1),
+              i ? k_add(at, cube_corner(0.5)) : cube_corner(SIDE), i % 64);
+      memcpy(&faces[6 * i], bodies[i].faces, 6 * sizeof *faces);
+    }
+  int shells = shells_close(faces, FACES, &open);
+  for (unsigned f = 0; f < FACES; f++)
+    {
+      unsigned turned = f / 6 % 64 >> f % 6 & 1;
+      wrong += faces[f].is_turned != (int)(f < 6 ? turned : !turned);
+    }
+  PASS(shells == BOXES + 1 && wrong == 0, "%u boxes in a box are %d shells,"
+       " all but one cavities: %u", BOXES, shells, wrong);
+  free(faces);
+  free(bodies);
+}
+
+static void
 faults(void)
 {
   struct shell_edge open = { 0 };
@@ -232,6 +361,8 @@ main(void)
   NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
 
   boxes();
+  touching();
+  many();
   faults();
   bridge();
   [pool release];

@@ -1,5 +1,5 @@
-// k_bvh_trace.inc.c - the search through the tree, compiled once for each
-// instruction set by the k_bvh_trace_*.c, which name it.
+// k_search.inc.c - one ray's search through the tree, compiled once for each
+// instruction set by the k_isa_*.c, which name it.
 //
 // The boxes are tested in floats, which only decides what is asked; the shapes
 // are asked in doubles, which decides the picture. So the test must never say
@@ -22,6 +22,13 @@
 // A reciprocal is never taken larger: so flat a ray leaves no box sideways.
 #define STEEP 0x1p60f
 
+/** Beyond what a ray is interested in, in the tree's coordinates. */
+static inline float
+k_reach_float(const struct k_scene *scene, const struct k_ray *ray)
+{
+  return (float)(k_ray_reach(ray) * scene->tree.scale) * 0x1.000002p0f;
+}
+
 struct k_float_ray
 {
   f8 inverse[3];
@@ -30,21 +37,20 @@ struct k_float_ray
 };
 
 static inline void
-k_float_ray_start(struct k_float_ray *f, struct k_vec o,
-                  struct k_vec inverse_d)
+k_float_ray_start(struct k_float_ray *f, struct k_vec o, struct k_vec d)
 {
   double pad = PAD * (1 + k_norm_max(o));
 
   for (int axis = 0; axis < 3; axis++)
     {
       double x = k_component(o, axis);
-      double inverse = k_component(inverse_d, axis);
+      float inverse = 1 / (float)k_component(d, axis);
       int falls = signbit(inverse) != 0;
-      double i = fabs(inverse) < STEEP ? inverse : falls ? -STEEP : STEEP;
-      double slack = pad * fabs(i);
+      float i = fabsf(inverse) < STEEP ? inverse : falls ? -STEEP : STEEP;
+      double slack = pad * fabsf(i);
       f->near_side[axis] = falls ? axis + 3 : axis;
       f->far_side[axis] = falls ? axis : axis + 3;
-      f->inverse[axis] = f8_all((float)i);
+      f->inverse[axis] = f8_all(i);
       f->near_o[axis] = f8_all((float)(x * i + slack));
       f->far_o[axis] = f8_all((float)(x * i - slack));
     }
@@ -84,6 +90,10 @@ k_leaf_ask(const struct k_scene *scene, struct k_ray *ray, uint32_t leaf)
 
   for (unsigned n = (leaf & 7) + 1; n; n--, ref++)
     {
+      if (ray->only && k_ref_medium(scene, *ref) != ray->only)
+        {
+          continue;
+        }
       ray->counters->tests++;
       k_ref_ask(scene, *ref, ray);
     }
@@ -94,6 +104,10 @@ k_ask_all(const struct k_scene *scene, struct k_ray *ray)
 {
   for (uint32_t i = 0; i < scene->tree.ref_count; i++)
     {
+      if (ray->only && k_ref_medium(scene, scene->tree.refs[i]) != ray->only)
+        {
+          continue;
+        }
       ray->counters->tests++;
       k_ref_ask(scene, scene->tree.refs[i], ray);
     }
@@ -151,14 +165,14 @@ k_any_first(const struct k_node *node, unsigned hits, struct entry **top)
   return node->child[i];
 }
 
+/** Asks what is below a node of the tree. */
 static void
-k_tree_ask(const struct k_scene *scene, struct k_ray *ray)
+k_tree_ask(const struct k_scene *scene, struct k_ray *ray, uint32_t at)
 {
   const struct k_tree *tree = &scene->tree;
   struct k_float_ray f;
   struct entry stack[STACK], *top = stack;
-  uint32_t at = 0;              // the root
-  float t_most = k_float_above(k_ray_reach(ray) * tree->scale);
+  float t_most = k_reach_float(scene, ray);
   struct k_vec o = k_scale(k_sub(ray->o, tree->center), tree->scale);
 
   if (!(k_norm_max(o) < FAR))
@@ -166,7 +180,7 @@ k_tree_ask(const struct k_scene *scene, struct k_ray *ray)
       k_ask_all(scene, ray);
       return;
     }
-  k_float_ray_start(&f, o, ray->inverse);
+  k_float_ray_start(&f, o, ray->d);
   for (;;)
     {
       unsigned hits = 0;
@@ -177,7 +191,7 @@ k_tree_ask(const struct k_scene *scene, struct k_ray *ray)
             {
               return;
             }
-          t_most = k_float_above(k_ray_reach(ray) * tree->scale);
+          t_most = k_reach_float(scene, ray);
         }
       else
         {
@@ -204,9 +218,14 @@ k_tree_ask(const struct k_scene *scene, struct k_ray *ray)
     }
 }
 
-static void
-K_CLOSEST(const struct k_scene *scene, struct k_ray *ray)
+/** Asks what is not in the tree. */
+static inline void
+k_ask_unbounded(const struct k_scene *scene, struct k_ray *ray)
 {
+  if (ray->only)
+    {
+      return;                   // the faces of a mesh are in the tree
+    }
   for (uint32_t i = 0; i < scene->plane_count; i++)
     {
       struct k_ref plane = { K_PLANE, i };
@@ -219,8 +238,14 @@ K_CLOSEST(const struct k_scene *scene, struct k_ray *ray)
       ray->counters->tests++;
       k_ref_ask(scene, user, ray);
     }
+}
+
+static void
+K_CLOSEST(const struct k_scene *scene, struct k_ray *ray)
+{
+  k_ask_unbounded(scene, ray);
   if (scene->tree.nodes && !(ray->is_feeler && ray->hit.surface))
     {
-      k_tree_ask(scene, ray);
+      k_tree_ask(scene, ray, 0);
     }
 }

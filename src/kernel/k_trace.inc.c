@@ -1,0 +1,503 @@
+// k_trace.inc.c - the colour of rays: what -[ray_t trace:] does, in plain C,
+// compiled once for each instruction set by the k_isa_*.c. The formulas are
+// those of shade.h in both.
+//
+// Rays are traced up to K_MANY at a time, which go much the same way: eye rays
+// of pixels side by side, then what they spawn. Each step of -trace: is taken
+// for all of them before the next, so that the search can look for the hits of
+// all at once (k_beam.inc.c). No ray takes notice of the others.
+
+#include "k_beam.inc.c"
+#include "k_media.h"
+#include "../shade.h"
+#include <alloca.h>
+
+/** P and N of the nearest hit, which had no need of them before. */
+static void
+finish_hit(struct k_ray *ray)
+{
+  struct k_hit *hit = &ray->hit;
+
+  if (hit->finish == K_FINISH_PLANE)
+    {
+      hit->P = k_plane_point(hit->plane, ray->o, ray->d, hit->t);
+      hit->N = hit->plane->n;
+    }
+  else if (hit->finish == K_FINISH_SPHERE)
+    {
+      hit->N = k_unit(hit->N);
+      hit->P = k_along(hit->center, hit->radius, hit->N);
+    }
+  hit->finish = K_FINISHED;
+}
+
+#define FEW_FACES 8             // shapes of a medium asked one after the other
+
+/** Asks only what has the medium: whether the ray comes out of it again. */
+static int
+leaves(const struct k_scene *scene, const struct k_ray *ray, unsigned medium)
+{
+  struct k_ray probe = *ray;
+  const struct k_medium *m = &scene->media[medium];
+
+  probe.hit.t = HUGE_VAL;
+  probe.hit.surface = NULL;
+  if (m->count > FEW_FACES)
+    {
+      probe.only = medium;      // the faces of a solid
+      K_CLOSEST(scene, &probe);
+    }
+  for (uint32_t i = 0; i < m->count && m->count <= FEW_FACES; i++)
+    {
+      k_ref_ask(scene, scene->medium_refs[m->first + i], &probe);
+    }
+  ray->counters->tests++;
+  if (!probe.hit.surface)
+    {
+      return 0;
+    }
+  finish_hit(&probe);
+  return k_dot(probe.hit.N, ray->d) > 0;
+}
+
+/** Whether the ray, whose nearest hit is known, has no way out of something it
+    is in. */
+static int
+is_left(const struct k_scene *scene, const struct k_ray *ray,
+        const struct k_media *m)
+{
+  return ray->hit.surface->medium != m->medium
+    && scene->media[m->medium].is_bounded && !leaves(scene, ray, m->medium);
+}
+
+static int
+any_is_left(const struct k_scene *scene, const struct k_ray *ray)
+{
+  for (const struct k_media *m = ray->media; m; m = m->below)
+    {
+      if (is_left(scene, ray, m))
+        {
+          return 1;
+        }
+    }
+  return 0;
+}
+
+/** Takes those media off the stack: -[ray_t forgetMediaLeft]. What stays is
+    copied to `room`. */
+static void
+forget_media_left(const struct k_scene *scene, struct k_ray *ray,
+                  struct k_media *room)
+{
+  const struct k_media *kept = NULL;
+  struct k_media *last = NULL;
+
+  for (const struct k_media *m = ray->media; m; m = m->below)
+    {
+      if (is_left(scene, ray, m))
+        {
+          ray->counters->escapes++;
+          continue;
+        }
+      *room = *m;
+      room->below = NULL;
+      if (last)
+        {
+          last->below = room;
+        }
+      else
+        {
+          kept = room;
+        }
+      last = room++;
+    }
+  ray->media = kept;
+}
+
+/** A ray from where `ray` has hit something. */
+static inline void
+spawn(struct k_ray *child, const struct k_ray *ray, struct k_vec d,
+      int through, const struct k_media *media)
+{
+  int came_from_inside = !(k_dot(ray->hit.N, ray->d) < 0);
+
+  k_ray_start(child, ray->hit.P, d, media, ray->counters);
+  child->dis = ray->dis;
+  child->from = ray->hit.surface;
+  child->starts_inside = came_from_inside != through;
+  child->slack = child->from->slack + 16 * K_U * k_norm1(child->o);
+}
+
+/** What a ray has hit, and what is known of the colour there. */
+struct point
+{
+  const struct k_ray *ray;
+  const struct k_material *m;
+  int is_mirror;
+  struct k_vec Ns;              // the normal on the ray's side
+  struct k_vec A;               // ambient
+  struct k_vec color, highlights, reflected, refracted;
+  double R;                     // how much is reflected, where it is clear
+  struct k_vec t;               // refracted direction
+  struct k_media entered;
+  const struct k_media *inside; // what the refracted ray is in
+};
+
+static inline void
+point_start(const struct k_scene *scene, struct point *p, struct k_ray *ray)
+{
+  const struct k_vec black = k_vec(0, 0, 0);
+  struct k_vec N = ray->hit.N;
+
+  ray->dis += ray->hit.t;
+  p->ray = ray;
+  p->m = &scene->materials[ray->hit.surface->material];
+  p->is_mirror = !k_is_zero(p->m->specular);
+  p->Ns = k_dot(N, ray->d) < 0 ? N : k_scale(N, -1.0);
+  p->A = shade_ambient(p->m->ambient, ray->dis);
+  p->color = p->A;
+  p->highlights = p->reflected = p->refracted = black;
+  p->R = 0;
+}
+
+/** A feeler to the light; 0 when the point turns its back to it. */
+static inline int
+feel(const struct point *p, const struct k_light *light, struct k_ray *feeler)
+{
+  struct k_vec l = k_sub(light->location, p->ray->hit.P);
+  double r;
+  struct k_vec L = k_unit_length(l, &r);
+
+  if (!(r > 0 && k_dot(p->Ns, L) > 0))
+    {
+      return 0;
+    }
+  spawn(feeler, p->ray, L, 0, p->ray->media);
+  feeler->is_feeler = 1;
+  feeler->end = r;
+  feeler->end_slack = 16 * K_U * (k_norm1(feeler->o)
+                                  + k_norm1(light->location));
+  return 1;
+}
+
+/** Adds what one light gives to all points; `feelers` and `of` have room for
+    as many. */
+static inline void
+light_up(const struct k_scene *scene, const struct k_light *light,
+         struct point *points, unsigned count, struct k_ray *feelers,
+         unsigned *of)
+{
+  unsigned n = 0;
+
+  for (unsigned i = 0; i < count; i++)
+    {
+      struct point *p = &points[i];
+      if (feel(p, light, &feelers[n]))
+        {
+          of[n++] = i;
+        }
+      else
+        {
+          p->color = shade_shadow(p->color, p->A);
+        }
+    }
+  if (n == 0)
+    {
+      return;
+    }
+  feelers->counters->feeler += n;
+  find_any(scene, feelers, n);
+  for (unsigned j = 0; j < n; j++)
+    {
+      struct point *p = &points[of[j]];
+      if (feelers[j].hit.surface)
+        {
+          p->color = shade_shadow(p->color, p->A);
+          continue;
+        }
+      struct k_vec L = feelers[j].d;
+      struct k_vec e = shade_falloff(light->emissivity, feelers[j].end,
+                                     light->falloff);
+      p->color = shade_lit(p->color, p->m->diffuse, e, k_dot(p->Ns, L));
+      if (p->is_mirror)
+        {
+          p->highlights = shade_highlight(p->highlights, p->m->specular, e,
+                                          p->Ns, L, k_neg(p->ray->d),
+                                          p->m->shininess);
+        }
+    }
+}
+
+/** -[ray_t refractAt:…]: the refracted direction, what the ray is in after it
+    (*room is room for that) and how much is reflected. */
+static inline void
+refract(const struct k_scene *scene, struct point *p, struct k_media *room)
+{
+  const struct k_ray *ray = p->ray;
+  unsigned medium = ray->hit.surface->medium;
+  double ior = p->m->ior;
+  int goes_in = k_dot(ray->hit.N, ray->d) < 0;
+  double n_i = ray->media ? ray->media->ior : 1;
+  double n_t = ior;
+  int tir;
+
+  p->inside = ray->media;
+  if (medium && goes_in)
+    {
+      p->entered.medium = medium;
+      p->entered.ior = ior;
+      p->entered.below = ray->media;
+      p->inside = &p->entered;
+    }
+  else if (medium)
+    {
+      p->inside = k_media_leave(ray->media, medium, room);
+      n_i = ior;
+      n_t = p->inside ? p->inside->ior : 1;
+    }
+  struct k_vec T = shade_refract(ray->d, p->Ns, n_t / n_i, &tir);
+  p->R = tir ? 1 : shade_schlick(ray->d, p->Ns, T, n_i, n_t);
+  p->t = medium && n_i != n_t ? shade_renew(T) : ray->d;
+}
+
+static void trace(const struct k_scene *scene, struct k_ray *rays, unsigned n,
+                  unsigned depth, struct k_vec *colors);
+
+// From this generation on each ray is traced by itself: few are left by then,
+// and what one level takes of the stack may be taken a thousand times.
+#define TOGETHER 16
+
+/** The colours of the next generation. */
+static inline void
+trace_children(const struct k_scene *scene, struct k_ray *children,
+               unsigned n, unsigned depth, struct k_vec *colors)
+{
+  if (depth < TOGETHER)
+    {
+      trace(scene, children, n, depth + 1, colors);
+      return;
+    }
+  for (unsigned i = 0; i < n; i++)
+    {
+      trace(scene, &children[i], 1, depth + 1, &colors[i]);
+    }
+}
+
+/** What comes along the reflected rays of the points that have one. */
+static inline void
+reflect_all(const struct k_scene *scene, struct point *points, unsigned count,
+            unsigned depth, struct k_ray *children, unsigned *of)
+{
+  struct k_vec colors[count];
+  unsigned n = 0;
+
+  for (unsigned i = 0; i < count; i++)
+    {
+      struct point *p = &points[i];
+      if (p->is_mirror || p->R > 0)
+        {
+          spawn(&children[n], p->ray,
+                shade_renew(shade_reflect(p->ray->d, p->Ns)), 0,
+                p->ray->media);
+          of[n++] = i;
+        }
+    }
+  if (n && depth < scene->settings.max_depth)
+    {
+      children->counters->reflection += n;
+      trace_children(scene, children, n, depth, colors);
+      for (unsigned j = 0; j < n; j++)
+        {
+          points[of[j]].reflected = colors[j];
+        }
+    }
+}
+
+/** The same along the refracted rays. */
+static inline void
+refract_all(const struct k_scene *scene, struct point *points, unsigned count,
+            unsigned depth, struct k_ray *children, unsigned *of)
+{
+  struct k_vec colors[count];
+  unsigned n = 0;
+
+  for (unsigned i = 0; i < count; i++)
+    {
+      struct point *p = &points[i];
+      if (p->m->alpha > 0 && p->R < 1)
+        {
+          spawn(&children[n], p->ray, p->t, 1, p->inside);
+          of[n++] = i;
+        }
+    }
+  if (n && depth < scene->settings.max_depth)
+    {
+      children->counters->refraction += n;
+      trace_children(scene, children, n, depth, colors);
+      for (unsigned j = 0; j < n; j++)
+        {
+          points[of[j]].refracted = colors[j];
+        }
+    }
+}
+
+static inline struct k_vec
+point_color(const struct point *p)
+{
+  struct k_vec color = p->color;
+
+  if (p->is_mirror)
+    {
+      color = shade_mirror(color, p->m->diffuse, p->m->specular,
+                           p->reflected);
+    }
+  if (p->m->alpha > 0)
+    {
+      color = shade_blend(color, p->m->alpha, p->R, p->refracted,
+                          p->reflected);
+    }
+  return k_add(color, p->highlights);
+}
+
+/** The colours in a scene without lights, mirrors and glass: no more than
+    ambient. */
+static void
+trace_ambient(const struct k_scene *scene, struct k_ray *rays, unsigned n,
+              struct k_vec *colors)
+{
+  find_closest(scene, rays, n);
+  for (unsigned i = 0; i < n; i++)
+    {
+      const struct k_hit *hit = &rays[i].hit;
+      colors[i] = hit->surface
+        ? shade_ambient(scene->materials[hit->surface->material].ambient,
+                        rays[i].dis + hit->t)
+        : scene->settings.background;
+    }
+}
+
+/** -[ray_t trace:], step by step, of n rays at once. */
+static void
+trace(const struct k_scene *scene, struct k_ray *rays, unsigned n,
+      unsigned depth, struct k_vec *colors)
+{
+  struct point points[n];
+  struct k_ray children[n];
+  unsigned of[n], count = 0;
+  int is_clear = 0;
+
+  find_closest(scene, rays, n);
+  for (unsigned i = 0; i < n; i++)
+    {
+      struct k_ray *ray = &rays[i];
+      if (!ray->hit.surface)
+        {
+          colors[i] = scene->settings.background;
+          continue;
+        }
+      finish_hit(ray);
+      if (ray->media && any_is_left(scene, ray))
+        {
+          forget_media_left(scene, ray, alloca(k_media_depth(ray->media)
+                                               * sizeof(struct k_media)));
+        }
+      point_start(scene, &points[count], ray);
+      is_clear |= points[count++].m->alpha > 0;
+    }
+  if (count == 0)
+    {
+      return;
+    }
+  for (uint32_t i = 0; i < scene->light_count; i++)
+    {
+      light_up(scene, &scene->lights[i], points, count, children, of);
+    }
+  for (unsigned i = 0; is_clear && i < count; i++)
+    {
+      struct point *p = &points[i];
+      if (p->m->alpha > 0)
+        {
+          // Room for taking something out from under the top.
+          const struct k_media *media = p->ray->media;
+          unsigned medium = p->ray->hit.surface->medium;
+          refract(scene, p, media && media->medium != medium
+                  ? alloca(k_media_depth(media) * sizeof *media) : NULL);
+        }
+    }
+  reflect_all(scene, points, count, depth, children, of);
+  if (is_clear)
+    {
+      refract_all(scene, points, count, depth, children, of);
+    }
+  for (unsigned i = 0; i < count; i++)
+    {
+      colors[points[i].ray - rays] = point_color(&points[i]);
+    }
+}
+
+/** The colours of n <= K_MANY eye rays. */
+static void
+trace_eye(const struct k_scene *scene, struct eye_ray *eye, unsigned n,
+          const struct k_media *const *media, struct counters *counters)
+{
+  struct k_ray rays[K_MANY];
+  struct k_vec colors[K_MANY];
+
+  counters->eye += n;
+  for (unsigned i = 0; i < n; i++)
+    {
+      k_ray_start(&rays[i], eye[i].o, eye[i].d, media ? media[i] : NULL,
+                  counters);
+    }
+  if (scene->light_count || scene->has_mirrors || scene->has_clear)
+    {
+      trace(scene, rays, n, 0, colors);
+    }
+  else
+    {
+      trace_ambient(scene, rays, n, colors);
+    }
+  for (unsigned i = 0; i < n; i++)
+    {
+      eye[i].color = colors[i];
+    }
+}
+
+static struct k_surface_hit
+first_hit(const struct k_scene *scene, struct k_vec o, struct k_vec d,
+          const struct k_media *media)
+{
+  struct counters nobody_counts = { 0 };
+  struct k_surface_hit first = { HUGE_VAL, { 0, 0, 0 }, 0 };
+  struct k_ray ray;
+
+  k_ray_start(&ray, o, d, media, &nobody_counts);
+  K_CLOSEST(scene, &ray);
+  if (ray.hit.surface)
+    {
+      finish_hit(&ray);
+      first.t = ray.hit.t;
+      first.N = ray.hit.N;
+      first.number = ray.hit.surface->number;
+    }
+  return first;
+}
+
+/** k_find_many for who is not compiled with it. */
+static void
+find(const struct k_scene *scene, struct k_ray *rays, unsigned n,
+     int are_feelers)
+{
+  if (are_feelers)
+    {
+      find_any(scene, rays, n);
+    }
+  else
+    {
+      find_closest(scene, rays, n);
+    }
+}
+
+const struct k_isa K_ISA = {
+  K_ISA_NAME, K_CLOSEST, find, trace_eye, first_hit
+};

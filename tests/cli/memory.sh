@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# Memory that is short: at any moment it is one message and status 4, and no
+# file.
+. "$ROOT/tests/test.sh"
+
+cd "$TMP" || exit
+if [ "$BUILD" = sanitize ]; then
+  skip "the sanitizers need all addresses"
+  test_done
+  exit
+fi
+
+cat >pin.mdl <<'MDL'
+camera cam { pixeldim 8 6 worlddim 4 3 viewpoint 2 1.5 4 }
+material grey { ambient 2 2 2 }
+MDL
+for ((i = 0; i < 6000; i++)); do
+  echo "sphere s$i { material grey center $i 0 0 radius .4 }"
+  echo "polygon p$i { material grey vertex $i 0 0 vertex $i 1 0 vertex $i 1 1 }"
+done >>pin.mdl
+
+# limited KILOBYTES ARGUMENT…: status and messages, with so much to be had.
+limited()
+{
+  local status=0 limit=$1
+  shift
+  (ulimit -v "$limit" && exec "$RAYTRACE" "$@") >out.txt 2>err.txt || status=$?
+  echo "$status $(cat out.txt err.txt)"
+}
+
+# Less than that does not start: the libraries do not fit.
+least=60000
+until [ "$(limited $least --version | head -c 1)" = 0 ]; do
+  least=$((least + 1000))
+done
+
+same "$(limited $((least + 60000)) pin.mdl -r 4000x4000 -o x.ppm)" \
+  "4 raytrace: not enough memory for 4000 x 4000 pixels: they take 384000000 \
+bytes, and the program may have $(((least + 60000) * 1024)) in all" \
+  "a picture that is too large"
+
+# From too little to enough.
+odd= enough=0
+for ((limit = least; enough < 2 && limit < least + 100000; limit += 500)); do
+  said=$(limited $limit pin.mdl -j 1 -r 1000x1000 -o x.ppm)
+  case $said in
+    "0 ") enough=$((enough + 1)) ;;
+    "4 raytrace: not enough memory"* | "4 Virtual memory exhausted"*) ;;
+    "4 raytrace: cannot read 'pin.mdl': Cannot allocate memory") ;;
+    *) odd+="$limit: $said"$'\n' ;;
+  esac
+done
+same "$odd" "" "too little memory: status 4"
+same "$enough" 2 "until it is enough"
+rm x.ppm
+limited $((least + 2000)) pin.mdl -o x.ppm >/dev/null
+pass "no file is left" test -z "$(find . -name '*.ppm' -o -name '.*.tmp')"
+test_done
