@@ -72,19 +72,22 @@ k_bins_join(struct k_bins *bins, const struct k_bins *more)
     }
 }
 
+/** Tries the cuts between the bins of an axis. A part without items costs
+    infinity times 0: not a number, and so not less than anything. */
 static void
 try_axis(struct k_cut *cut, int axis, const struct k_box *boxes,
          const uint32_t *counts)
 {
-  float left_cost[K_BINS];
-  struct k_box sum = k_no_box();
-  uint32_t n = 0;
+  float left_cost[K_BINS], best = cut->cost;
+  struct k_box sum = boxes[0];
+  uint32_t n = counts[0];
+  int at = 0;
 
-  for (int i = 0; i < K_BINS - 1; i++)
+  for (int i = 1; i < K_BINS; i++)
     {
+      left_cost[i] = k_half_area(sum) * n;
       sum = k_join(sum, boxes[i]);
       n += counts[i];
-      left_cost[i] = n ? k_half_area(sum) * n : HUGE_VALF;
     }
   sum = k_no_box();
   n = 0;
@@ -92,13 +95,15 @@ try_axis(struct k_cut *cut, int axis, const struct k_box *boxes,
     {
       sum = k_join(sum, boxes[i]);
       n += counts[i];
-      float cost = n ? left_cost[i - 1] + k_half_area(sum) * n : HUGE_VALF;
-      if (cost < cut->cost)
-        {
-          cut->cost = cost;
-          cut->at = i;
-          cut->axis = axis;
-        }
+      float cost = left_cost[i] + k_half_area(sum) * n;
+      at = cost < best ? i : at;
+      best = cost < best ? cost : best;
+    }
+  if (at)
+    {
+      cut->cost = best;
+      cut->at = at;
+      cut->axis = axis;
     }
 }
 
@@ -109,7 +114,6 @@ k_cut_bins(const struct k_bins *bins, struct k_cut *cut)
 
   cut->axis = -1;
   cut->cost = HUGE_VALF;
-  cut->left_count = 0;
   f4_store(scale, cut->binning.scale);
   for (int axis = 0; axis < 3; axis++)
     {
@@ -118,12 +122,23 @@ k_cut_bins(const struct k_bins *bins, struct k_cut *cut)
           try_axis(cut, axis, bins->boxes[axis], bins->counts[axis]);
         }
     }
-  cut->left = cut->right = k_no_box();
-  for (int i = 0; cut->axis >= 0 && i < K_BINS; i++)
+  if (cut->axis < 0)
     {
-      struct k_box *side = i < cut->at ? &cut->left : &cut->right;
-      *side = k_join(*side, bins->boxes[cut->axis][i]);
-      cut->left_count += i < cut->at ? bins->counts[cut->axis][i] : 0;
+      return;
+    }
+  const struct k_box *boxes = bins->boxes[cut->axis];
+  const uint32_t *counts = bins->counts[cut->axis];
+  cut->left = boxes[0];
+  cut->left_count = counts[0];
+  for (int i = 1; i < cut->at; i++)
+    {
+      cut->left = k_join(cut->left, boxes[i]);
+      cut->left_count += counts[i];
+    }
+  cut->right = boxes[cut->at];
+  for (int i = cut->at + 1; i < K_BINS; i++)
+    {
+      cut->right = k_join(cut->right, boxes[i]);
     }
 }
 
