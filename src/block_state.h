@@ -8,7 +8,7 @@
 #import "mdl_t.h"
 
 // More stray words than this are not one attribute with its values.
-#define MOST_STRAY 5
+#define MOST_STRAY 4
 
 /** What the attributes of one block were. */
 struct block_state

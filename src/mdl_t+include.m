@@ -68,8 +68,9 @@
     {
       behind = text->cursor;
     }
-  if (token_is_word(t) && [store kindFor: t] == KIND_UNKNOWN
-      && ![self isDirective: t] && ![self looksLikeBlock: behind])
+  if (token_is_word(t) && ![self isDirective: t]
+      && [store kindFor: t] == KIND_UNKNOWN
+      && ![self looksLikeBlock: behind])
     {
       token_next(&behind);
       text->cursor = behind;

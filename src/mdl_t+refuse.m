@@ -82,6 +82,10 @@ note_stray(struct block_state *state, unsigned words)
   if (lacking > 0 && words > 0 && ![self isNumber: last])
     {
       lacking = 0;      // a word instead of numbers, however many
+      if (a->is_repeated)
+        {
+          note_stray(state, 1 + words); // or another attribute is meant
+        }
     }
   if (![self balance: lacking state: state] && lacking < 0)
     {
@@ -266,8 +270,8 @@ is_excused(struct block_state *state, const struct attribute *table,
     {
       return YES;
     }
-  // Its values alone, with a word for its name, or with two halves of that.
-  for (unsigned words = values; words <= values + 2; words++)
+  // Its values alone, or with a word in place of its name.
+  for (unsigned words = values; words <= values + 1; words++)
     {
       if (state->stray[words])
         {

@@ -33,7 +33,11 @@
 
 - (BOOL) endsValues: (struct token)t
 {
-  return kind.table ? attribute_named(kind.table, t) != NULL
+  struct cursor here = text->cursor;
+
+  here.at = t.at;
+  return kind.table
+    ? attribute_named(kind.table, t) != NULL || [self isBlockAt: here]
     : [self isDirective: t] || [store kindFor: t] != KIND_UNKNOWN;
 }
 

@@ -27,7 +27,7 @@ done
 for name in $names; do
   words=$("$RAYTRACE" "--$name=?" 2>&1 |
     sed -nE "s/.* takes (one|some) of (.*), (not|with commas).*/\\2/p")
-  text=$(tr -s ' \n' ' ' <help.txt | sed -E "s/.* --$name[ =[]/ /; s/ --.*//")
+  text=$(tr -s ' \n' ' ' <help.txt | sed -E "s/.* --${name}[ =[]/ /; s/ --.*//")
   for word in ${words//,/}; do
     pass "--help says that --$name takes $word" grep -qwe "$word" <<<"$text"
   done

@@ -40,7 +40,7 @@ bytes, and the program may have $(((least + 60000) * 1024)) in all" \
   "a picture that is too large"
 
 # From too little to enough.
-odd= enough=0
+odd='' enough=0
 for ((limit = least; enough < 2 && limit < least + 100000; limit += 500)); do
   said=$(limited $limit pin.mdl -j 1 -r 1000x1000 -o x.ppm)
   case $said in

@@ -86,11 +86,12 @@ pass "so does the second of two" "$RAYTRACE" -I none -I parts --check user.mdl
 
 # Pipes and standard input
 says 0 "" --check - <good.mdl
-pass "- includes from the folder it is called in" "$RAYTRACE" -I parts --check - \
-  <user.mdl
+pass "- includes from the folder it is called in" "$RAYTRACE" -I parts \
+  --check - <user.mdl
 says 0 "" --check /dev/stdin <good.mdl
 says 0 "" --check <(cat good.mdl)
-says 0 "" --check <(sleep 0.3; head -n 1 good.mdl; sleep 0.3; tail -n 2 good.mdl)
+says 0 "" --check <(sleep 0.3; head -n 1 good.mdl
+  sleep 0.3; tail -n 2 good.mdl)
 says 4 "raytrace: cannot read '-': Is a directory" --check - <folder
 mkfifo pipe
 { sleep 0.3; cat good.mdl >pipe; } &
