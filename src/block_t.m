@@ -79,8 +79,7 @@ find_given(block_t *block, const char *attribute, unsigned i)
   for (; k < record->given_count; k++)
     {
       const char *other = block->table[givens[k].attribute].name;
-      if ((other == attribute || strcmp(other, attribute) == 0)
-          && seen++ == i)
+      if (attribute_is_named(other, attribute) && seen++ == i)
         {
           block->last_attribute = attribute;
           block->last_occurrence = i;
@@ -98,7 +97,7 @@ find_given(block_t *block, const char *attribute, unsigned i)
 
   for (unsigned k = 0; k < record->given_count; k++)
     {
-      count += strcmp(table[given[k].attribute].name, attribute) == 0;
+      count += attribute_is_named(table[given[k].attribute].name, attribute);
     }
   return count;
 }

@@ -5,6 +5,7 @@
 #import "light_t.h"
 #import "material_t.h"
 #import "unknown_t.h"
+#include "attribute_check.h"
 #include "grow.h"
 
 @implementation builder_t
@@ -102,8 +103,8 @@
       if (found != NO_RECORD)
         {
           store->records[found].is_used = YES;
-          material = strcmp(a->name, "material") == 0 ? [self materialOf: found]
-            : material;
+          material = attribute_is_named(a->name, "material")
+            ? [self materialOf: found] : material;
           continue;
         }
       is_good = NO;

@@ -29,7 +29,7 @@
   unsigned kind = store->records[store->record_count - 1].kind;
   const struct attribute *a = store->kinds[kind].table;
 
-  while (a->name != name && strcmp(a->name, name) != 0)
+  while (!attribute_is_named(a->name, name))
     {
       a++;
     }
