@@ -7,6 +7,13 @@
 #include "attribute.h"
 #include "token.h"
 
+/** Whether a table's name is the one asked for. */
+static inline BOOL
+attribute_is_named(const char *name, const char *asked)
+{
+  return name == asked || (*name == *asked && strcmp(name, asked) == 0);
+}
+
 /** How many values the attribute has. */
 unsigned attribute_values(const struct attribute *a);
 

@@ -10,17 +10,18 @@
 #include "place.h"
 #include "kernel/k_vec.h"
 
-@class diag_t, material_t, store_t, text_t;
+@class diag_t, material_t, names_t, store_t, text_t;
 
 @interface block_t : NSObject
 {
 @public
   BOOL is_refused;              // the class has noted a fault
+  names_t *names;               // of the model
 @protected
   store_t *store;               // these three are not retained: they live
   text_t *text;                 // as long as the load
   diag_t *diag;
-  material_t **materials;       // per record of the store
+  material_t *material;         // of the block that is shown
   struct record *record;        // the one that is shown
   const struct attribute *table;
   NSString *keyword, *name;     // of that, when they have been asked for
@@ -28,17 +29,20 @@
   unsigned last_occurrence, last_place; // which time it was given
 }
 
-/** A view of the store's blocks; show: chooses one. `materials` has an item
-    for each record, those that are materials filled in. */
+/** A view of the store's blocks; show: chooses one and says which material
+    its attribute `material` names. */
 - (id) init: (store_t *)store text: (text_t *)text diag: (diag_t *)diag
-  materials: (material_t **)materials;
-- (void) show: (unsigned)record;
+      names: (names_t *)names;
+- (void) show: (unsigned)record material: (material_t *)material;
 
 /** The word before the name: "sphere". */
 - (NSString *) keyword;
 
 /** The block's name, unique per keyword. */
 - (NSString *) name;
+
+/** Adds it to the model's names; where it is there. */
+- (unsigned) addName;
 
 /** How often an attribute was given: 0 or 1, more for a repeated one. */
 - (unsigned) count: (const char *)attribute;

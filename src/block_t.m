@@ -1,5 +1,6 @@
 #import "block_t.h"
 #import "diag_t.h"
+#import "names_t.h"
 #import "store_t.h"
 #import "text_t.h"
 #include "attribute_check.h"
@@ -7,14 +8,14 @@
 @implementation block_t
 
 - (id) init: (store_t *)theStore text: (text_t *)theText
-       diag: (diag_t *)theDiag materials: (material_t **)theMaterials
+       diag: (diag_t *)theDiag names: (names_t *)theNames
 {
   if ((self = [super init]))
     {
       store = theStore;
       text = theText;
       diag = theDiag;
-      materials = theMaterials;
+      names = theNames;
     }
   return self;
 }
@@ -26,8 +27,9 @@
   [super dealloc];
 }
 
-- (void) show: (unsigned)number
+- (void) show: (unsigned)number material: (material_t *)aMaterial
 {
+  material = aMaterial;
   record = &store->records[number];
   table = store->kinds[record->kind].table;
   is_refused = NO;
@@ -46,29 +48,18 @@
   return keyword;
 }
 
-/** A name as a string (not autoreleased). GNUstep keeps the characters of a
-    string that is made of a C string in the same piece of memory. */
-static NSString *
-new_name(struct token name)
-{
-  char text[LONGEST_WORD + 1];
-
-  if (name.length > LONGEST_WORD)
-    {
-      return [token_string(name) retain];
-    }
-  memcpy(text, name.at, name.length);
-  text[name.length] = '\0';
-  return [[NSString alloc] initWithUTF8String: text];
-}
-
 - (NSString *) name
 {
   if (name == nil)
     {
-      name = new_name(record->name);
+      name = [token_string(record->name) retain];
     }
   return name;
+}
+
+- (unsigned) addName
+{
+  return [names add: record->name];
 }
 
 /** The i-th occurrence of an attribute in a block, or NULL. Asked for one after
@@ -88,8 +79,7 @@ find_given(block_t *block, const char *attribute, unsigned i)
   for (; k < record->given_count; k++)
     {
       const char *other = block->table[givens[k].attribute].name;
-      if ((other == attribute || strcmp(other, attribute) == 0)
-          && seen++ == i)
+      if (attribute_is_named(other, attribute) && seen++ == i)
         {
           block->last_attribute = attribute;
           block->last_occurrence = i;
@@ -107,7 +97,7 @@ find_given(block_t *block, const char *attribute, unsigned i)
 
   for (unsigned k = 0; k < record->given_count; k++)
     {
-      count += strcmp(table[given[k].attribute].name, attribute) == 0;
+      count += attribute_is_named(table[given[k].attribute].name, attribute);
     }
   return count;
 }
@@ -164,11 +154,8 @@ word(const struct value *value)
 
 - (material_t *) material
 {
-  const struct given *given = find_given(self, "material", 0);
-
-  NSAssert(given, @"%@ has no material", [self keyword]);
-  return materials[[store find: KIND_MATERIAL
-                              : word(&store->values[given->value])]];
+  NSAssert(material, @"%@ has no material", [self keyword]);
+  return material;
 }
 
 - (struct place) place

@@ -10,10 +10,15 @@
   struct k_scene *scene;        // where shapes add themselves
 @protected
   NSMapTable *materials, *media;        // numbers from 1, by object
+  material_t *last_material;            // the one asked for last, and its
+  unsigned last_number;                 // number, from 0
   NSMutableArray *mediumObjects;        // the media, by number - 1
 }
 
 - (id) initWithScene: (struct k_scene *)aScene;
+
+/** Says to the classes of these objects how many they will have to describe. */
+- (void) prepare: (NSArray *)objects;
 
 /** What the kernel has to know of a surface of the object. */
 - (struct k_surface) surfaceOf: (object_t *)object;
@@ -32,5 +37,9 @@
 
 /** NO if it did not. */
 - (BOOL) compile: (compiler_t *)compiler;
+
+/** Called before so many instances of the class are asked to compile:, to make
+    room for them. The default does nothing. */
++ (void) prepare: (NSUInteger)count for: (compiler_t *)compiler;
 
 @end

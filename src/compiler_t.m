@@ -1,11 +1,16 @@
 #import "compiler_t.h"
 #import "material_t.h"
+#import <objc/runtime.h>
 
 @implementation object_t (Compiling)
 
 - (BOOL) compile: (compiler_t *)compiler
 {
   return NO;
+}
+
++ (void) prepare: (NSUInteger)count for: (compiler_t *)compiler
+{
 }
 
 @end
@@ -34,9 +39,40 @@
   [super dealloc];
 }
 
-- (unsigned) materialOf: (object_t *)object
+- (void) prepare: (NSArray *)objects
 {
-  material_t *m = object->material;
+  NSMapTable *counts = NSCreateMapTable(NSNonOwnedPointerMapKeyCallBacks,
+                                        NSIntegerMapValueCallBacks, 0);
+  Class class = [NSObject class];
+  intptr_t count = 0;
+
+  for (object_t *object in objects)
+    {
+      if (object_getClass(object) != class)
+        {
+          NSMapInsert(counts, class, (void *)count);
+          class = object_getClass(object);
+          count = (intptr_t)NSMapGet(counts, class);
+        }
+      count++;
+    }
+  NSMapInsert(counts, class, (void *)count);
+
+  NSMapEnumerator each = NSEnumerateMapTable(counts);
+
+  while (NSNextMapEnumeratorPair(&each, (void **)&class, (void **)&count))
+    {
+      if (count > 0)
+        {
+          [class prepare: count for: self];
+        }
+    }
+  NSEndMapTableEnumeration(&each);
+  NSFreeMapTable(counts);
+}
+
+- (unsigned) numberOf: (material_t *)m
+{
   uintptr_t number = (uintptr_t)NSMapGet(materials, m);
 
   if (number == 0)
@@ -71,10 +107,17 @@
 
 - (struct k_surface) surfaceOf: (object_t *)object
 {
-  struct k_surface s = { object->number, [self materialOf: object], 0,
-                         object->slack };
+  material_t *material = object->material;
 
-  if (object->material->alpha > 0)
+  if (material != last_material)
+    {
+      last_number = [self numberOf: material];
+      last_material = material;
+    }
+
+  struct k_surface s = { object->number, last_number, 0, object->slack };
+
+  if (material->alpha > 0)
     {
       s.medium = [self mediumOf: object];
     }

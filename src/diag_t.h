@@ -49,6 +49,9 @@
     beside a fault they may come of it. */
 - (NSString *) report;
 
+/** Gives back the texts of the files: all that there was to tell is told. */
+- (void) close;
+
 /** The nearest of `words` to `word`, when it is near enough to be a slip of
     the hand: nil if none is. */
 + (NSString *) nearestTo: (NSString *)word among: (NSArray *)words;

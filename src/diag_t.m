@@ -181,6 +181,15 @@ add(fault_list_t *list, struct place place, NSString *format, va_list values)
   return report;
 }
 
+- (void) close
+{
+  for (diag_file_t *file in files)
+    {
+      [file->text release];
+      file->text = nil;
+    }
+}
+
 /** Near enough: one slip in three letters. */
 + (NSString *) nearestTo: (NSString *)word among: (NSArray *)words
 {

@@ -6,6 +6,7 @@
 #import "media_t.h"
 #import "model_t.h"
 #import "ray_t.h"
+#import <objc/runtime.h>
 #include "kernel/k_ray.h"
 #include <alloca.h>
 
@@ -82,6 +83,31 @@ ask_object(void *shape, const struct k_surface *s, struct k_ray *ray)
   k_add_user(scene, [compiler surfaceOf: object], shape);
 }
 
+typedef BOOL (*compile_t)(id, SEL, compiler_t *);
+
+/** Asks all objects to describe themselves. */
+- (void) compile: (NSArray *)objects
+{
+  Class last = Nil;
+  compile_t compile = NULL;
+
+  [compiler prepare: objects];
+  for (object_t *object in objects)
+    {
+      Class class = object_getClass(object);
+      if (class != last)
+        {
+          last = class;
+          compile = (compile_t)(void (*)(void))
+            [class instanceMethodForSelector: @selector(compile:)];
+        }
+      if (!compile(object, @selector(compile:), compiler))
+        {
+          [self addUser: object];
+        }
+    }
+}
+
 - (id) initWithModel: (model_t *)aModel instructions: (NSString *)instructions
             threads: (unsigned)threads
                error: (NSError **)error
@@ -97,13 +123,7 @@ ask_object(void *shape, const struct k_surface *s, struct k_ray *ray)
       if (scene && users)
         {
           compiler = [[compiler_t alloc] initWithScene: scene];
-          for (object_t *object in surfaces)
-            {
-              if (![object compile: compiler])
-                {
-                  [self addUser: object];
-                }
-            }
+          [self compile: surfaces];
           for (light_t *l in model->lights)
             {
               struct k_light light = { l->location, l->emissivity,

@@ -67,6 +67,8 @@
   };
   NSArray *includes = [settings->includes
                         arrayByAddingObjectsFromArray: machine_models()];
+  NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
+  BOOL needs_hash = options->format == FORMAT_EXR;
   NSError *reason = nil;
   NSData *bytes = nil;
 
@@ -74,20 +76,20 @@
                        includePath: includes
                            options: how
                               diag: diag
-                              text: &bytes
+                              text: needs_hash ? &bytes : NULL
                          canonical: settings->format_scene ? &text : NULL
                              error: &reason] retain];
   [text retain];
+  sceneHash = needs_hash && model ? [sha256_of(bytes) retain] : nil;
+  [reason retain];
+  [pool release];               // and with it the scene's text
+  [reason autorelease];
   if (model == nil && error)
     {
       *error = reason
         ? error_saying(STATUS_FILE, @"cannot read '%@': %@", options->scene,
                        error_text(reason))
         : error_saying(STATUS_SCENE, @"'%@' has faults", options->scene);
-    }
-  else if (model)
-    {
-      sceneHash = [sha256_of(bytes) retain];
     }
   [stats ended: PHASE_LOAD];
   return model != nil;

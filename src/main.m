@@ -131,6 +131,7 @@ report(job_t *job, const struct settings *settings)
     {
       fputs([[job->diag report] UTF8String], stderr);
     }
+  [job->diag close];
   return hasFaults ? STATUS_SCENE : STATUS_DONE;
 }
 
@@ -193,7 +194,7 @@ main(int argc, char **argv)
   handle_signals();
   NSSetUncaughtExceptionHandler(raised);
   NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
-  options_t *options = [[options_t alloc] init];
+  options_t *options = [[[options_t alloc] init] autorelease];
   NSString *wrong = [options read: argc : argv];
   int status;
 
@@ -214,11 +215,12 @@ main(int argc, char **argv)
     }
   else
     {
-      job_t *job = [[job_t alloc] init: options];
+      job_t *job = [[[job_t alloc] init: options] autorelease];
       status = run(job, &options->settings);
-      [job release];
     }
-  [options release];
-  [pool release];
-  return status;
+  if (status != STATUS_DONE)
+    {
+      [pool release];   // what is not complete is removed
+    }
+  return status;        // a large scene goes faster with the program
 }

@@ -183,6 +183,7 @@
           [self spoil: record];
         }
       [self readAttributesOf: record keyword: keyword];
+      [store end];
     }
   else if (name.length > 0)
     {

@@ -6,7 +6,7 @@
 #import "media_t.h"
 #include "eye_ray.h"
 
-@class camera_t, light_t, diag_t;
+@class camera_t, light_t, diag_t, names_t;
 
 /** How a polygon finds out whether a point is in it. */
 enum polygon_test
@@ -23,13 +23,11 @@ enum polygon_test
   NSMutableArray *lights;
   NSMutableDictionary *materials;       // by name
   NSMutableArray *objects;      // as declared: numbers 1, 2, 3 …
+  names_t *names;               // of the objects
   struct k_vec background;      // colour of a ray that hits nothing
   unsigned max_depth;           // deepest generation of rays; 5
   enum polygon_test polygon_test;
 @protected
-  NSMutableArray *incomplete;   // objects whose classes have a complete:…
-  Class last_class;             // of the object added last
-  BOOL last_is_incomplete;
   NSMapTable *replacements;     // see replace:by:; by object, NSNull: none
   NSArray *surfaces;            // what find_closest: asks
   struct surface *table;        // the same for speed, see model_t.m; made
@@ -46,6 +44,10 @@ enum polygon_test
 /** Adds an object and gives it its number, and its slack unless its class
     has. */
 - (void) addObject: (object_t *)object;
+
+/** Keeps the next number for an object that is put there later. */
+- (unsigned) keepPlace;
+- (void) put: (object_t *)object at: (unsigned)number;
 
 /** To be called once when everything is added, before anything is traced:
     every class looks at its instances once more (solids are closed, planes

@@ -2,7 +2,9 @@
 #import "camera_t.h"
 #import "light_t.h"
 #import "material_t.h"
+#import "names_t.h"
 #import "ray_t.h"
+#import <objc/runtime.h>
 
 /** One object that rays ask, with what is needed to skip it. */
 struct surface
@@ -22,7 +24,7 @@ struct surface
       lights = [[NSMutableArray alloc] init];
       materials = [[NSMutableDictionary alloc] init];
       objects = [[NSMutableArray alloc] init];
-      incomplete = [[NSMutableArray alloc] init];
+      names = [[names_t alloc] init];
       replacements
         = NSCreateMapTable(NSNonOwnedPointerMapKeyCallBacks,
                            NSObjectMapValueCallBacks, 0);
@@ -38,7 +40,7 @@ struct surface
   free(clear);
   [surfaces release];
   NSFreeMapTable(replacements);
-  [incomplete release];
+  [names release];
   [objects release];
   [materials release];
   [lights release];
@@ -51,21 +53,11 @@ struct surface
   [lights addObject: light];
 }
 
-- (void) addObject: (object_t *)object
+/** An object gets its number, and its slack unless its class has. */
+static void
+number_object(object_t *object, unsigned number)
 {
-  [objects addObject: object];
-  object->number = [objects count];
-  if ([object class] != last_class)
-    {
-      SEL complete = @selector(complete:model:diag:);
-      last_class = [object class];
-      last_is_incomplete = [last_class methodForSelector: complete]
-        != [object_t methodForSelector: complete];
-    }
-  if (last_is_incomplete)
-    {
-      [incomplete addObject: object];
-    }
+  object->number = number;
   if (object->slack < 0)
     {
       struct k_bounds box = [(id <object_t>)object bounds];
@@ -74,15 +66,65 @@ struct surface
     }
 }
 
+- (void) addObject: (object_t *)object
+{
+  [objects addObject: object];
+  number_object(object, [objects count]);
+}
+
+- (unsigned) keepPlace
+{
+  [objects addObject: [NSNull null]];
+  return [objects count];
+}
+
+- (void) put: (object_t *)object at: (unsigned)number
+{
+  [objects replaceObjectAtIndex: number - 1 withObject: object];
+  number_object(object, number);
+}
+
 // Completion
 
-/** The classes of the incomplete objects and what they inherit from, below
-    object_t, that have something to do when the model is complete: the most
-    general first, otherwise in the order of their first object. */
-- (NSArray *) classesToComplete
+static BOOL
+overrides_complete(Class class, Class above)
+{
+  SEL complete = @selector(complete:model:diag:);
+
+  return [class methodForSelector: complete]
+    != [above methodForSelector: complete];
+}
+
+/** The objects whose classes have something to do when the model is
+    complete. */
+- (NSArray *) incomplete
+{
+  NSMutableArray *incomplete = [NSMutableArray array];
+  Class last = Nil;
+  BOOL is_incomplete = NO;
+
+  for (object_t *object in objects)
+    {
+      Class class = object_getClass(object);
+      if (class != last)
+        {
+          last = class;
+          is_incomplete = overrides_complete(class, [object_t class]);
+        }
+      if (is_incomplete)
+        {
+          [incomplete addObject: object];
+        }
+    }
+  return incomplete;
+}
+
+/** The classes of these and what they inherit from, below object_t, that have
+    something to do: the most general first, otherwise in the order of their
+    first object. */
+- (NSArray *) classesOf: (NSArray *)incomplete
 {
   NSMutableArray *classes = [NSMutableArray array];
-  SEL complete = @selector(complete:model:diag:);
   Class last = Nil;
 
   for (object_t *object in incomplete)
@@ -95,8 +137,7 @@ struct surface
       last = [object class];
       for (Class c = last; c != [object_t class]; c = [c superclass])
         {
-          if ([c methodForSelector: complete]
-              != [[c superclass] methodForSelector: complete]
+          if (overrides_complete(c, [c superclass])
               && ![classes containsObject: c])
             {
               [classes insertObject: c atIndex: at];
@@ -149,6 +190,10 @@ struct surface
 {
   NSMutableArray *kept = [NSMutableArray array];
 
+  if (NSCountMapTable(replacements) == 0)
+    {
+      return;
+    }
   for (id object in surfaces)
     {
       id whole = NSMapGet(replacements, object);
@@ -164,7 +209,9 @@ struct surface
 
 - (void) complete: (diag_t *)diag
 {
-  for (Class class in [self classesToComplete])
+  NSArray *incomplete = [self incomplete];
+
+  for (Class class in [self classesOf: incomplete])
     {
       NSMutableArray *instances = [NSMutableArray array];
       for (object_t *object in incomplete)
@@ -176,7 +223,6 @@ struct surface
         }
       [class complete: instances model: self diag: diag];
     }
-  [incomplete removeAllObjects];
   [self putReplacements];
   [self findClear];
 }

@@ -10,7 +10,9 @@
   unsigned order = cursor_order(&text->cursor, letter.at);
   struct token name = [store make: prefix : number];
   struct record *record = [store begin: kind at: order name: name at: order];
-  unsigned other = [store enter];
+  // Where there is no other file nobody else gives names to objects.
+  BOOL is_unique = kind >= KIND_SHAPES && [text depth] == 0;
+  unsigned other = is_unique ? NO_RECORD : [store enter];
 
   if (other != NO_RECORD)
     {
@@ -27,7 +29,7 @@
   unsigned kind = store->records[store->record_count - 1].kind;
   const struct attribute *a = store->kinds[kind].table;
 
-  while (a->name != name && strcmp(a->name, name) != 0)
+  while (!attribute_is_named(a->name, name))
     {
       a++;
     }

@@ -118,6 +118,7 @@
       [self beginShape: "sphere" : "s" : spheres];
       [self give: "center" : xyz];
       [self give: "radius" : &r];
+      [store end];
     }
   return YES;
 }

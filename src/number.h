@@ -17,6 +17,13 @@ enum number_result
   NUMBER_TOO_SMALL      // less than 2^-400 and not 0
 };
 
+/** The fast way for short decimal numbers. The digits make a whole number below
+    2^53 and the power of ten is one of those that a double holds exactly, so
+    that the one operation is correctly rounded: what strtod gives (Clinger,
+    "How to Read Floating Point Numbers Accurately", 1990). Where the number
+    ends; NULL if it is not as simple as that. It is in every model's range. */
+const char *number_read_short(const char *at, double *value);
+
 /** What strtod reads, if that is all of the word: `length` characters that
     are followed by white space, a brace, `#` or NUL. c is the C locale. */
 enum number_result number_read(const char *at, size_t length, locale_t c,

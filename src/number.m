@@ -6,50 +6,47 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/** The fast way for short decimal numbers. The digits make a whole number
-    below 2^53 and the power of ten is one of those that a double holds
-    exactly, so that the one operation is correctly rounded: what strtod gives
-    (Clinger, "How to Read Floating Point Numbers Accurately", 1990). 0 if the
-    number is not as simple as that. */
-static int
-read_short(const char *p, const char *end, double *value)
+const char *
+number_read_short(const char *p, double *value)
 {
   static const double powers[] = {
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13,
-    1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22
+    1e14, 1e15, 1e16, 1e17
   };
-  int is_negative = *p == '-', digits = 0, decimals = 0, seen_point = 0;
+  int is_negative = *p == '-';
   uint64_t whole = 0;
 
   p += *p == '-' || *p == '+';
-  if (end - p > 17)
+
+  const char *start = p, *point = NULL;
+
+  for (; p - start <= 17; p++)
     {
-      return 0;
-    }
-  for (; p < end; p++)
-    {
-      if (*p >= '0' && *p <= '9')
+      unsigned digit = (unsigned char)*p - '0';
+      if (digit <= 9)
         {
-          whole = 10 * whole + (*p - '0');
-          digits++;
-          decimals += seen_point;
+          whole = 10 * whole + digit;
         }
-      else if (*p == '.' && !seen_point)
+      else if (*p == '.' && point == NULL)
         {
-          seen_point = 1;
+          point = p;
         }
       else
         {
-          return 0;
+          break;
         }
     }
-  if (digits == 0 || whole > (uint64_t)1 << 53)
+
+  int decimals = point ? p - point - 1 : 0;
+
+  if (p - start > 17 || p - start == (point != NULL)
+      || whole > (uint64_t)1 << 53)
     {
-      return 0;
+      return NULL;
     }
   double magnitude = whole / powers[decimals];
   *value = is_negative ? -magnitude : magnitude;
-  return 1;
+  return p;
 }
 
 enum number_result
@@ -67,7 +64,7 @@ number_read(const char *at, size_t length, locale_t c, double *value)
   const char *end = at + length;
   char *stop;
 
-  if (!read_short(at, end, value))
+  if (length == 0 || number_read_short(at, value) != end)
     {
       errno = 0;
       *value = strtod_l(at, &stop, c);

@@ -8,7 +8,7 @@
 #include "attribute.h"
 #include "kernel/k_bounds.h"
 
-@class block_t, diag_t, material_t, model_t, ray_t;
+@class block_t, diag_t, material_t, model_t, names_t, ray_t;
 
 @protocol object_t <NSObject>
 
@@ -36,13 +36,17 @@
 {
 @public
   material_t *material; // owned by the model
-  NSString *name;
   unsigned number;      // 1, 2, 3 … in the order of declaration
   double slack;         // how far off its surface its hits may be: 2^-30 of
                         // its box's coordinates unless the class knows better
+@private
+  names_t *names;       // owned by the model: where its name is
+  unsigned name_at;
 }
 
 - (id) initWithBlock: (block_t *)block;
+
+/** The name that its block has (autoreleased). */
 - (NSString *) name;
 
 /** Whether P is inside; on the surface is outside. Asked only of clear

@@ -1,6 +1,7 @@
 #import "object_t.h"
 #import "block_t.h"
 #import "material_t.h"
+#import "names_t.h"
 #import "ray_t.h"
 
 @implementation object_t
@@ -9,22 +10,17 @@
 {
   if ((self = [super init]))
     {
-      name = [[block name] copy];
       material = [block material];
+      names = block->names;
+      name_at = [block addName];
       slack = -1;
     }
   return self;
 }
 
-- (void) dealloc
-{
-  [name release];
-  [super dealloc];
-}
-
 - (NSString *) name
 {
-  return name;
+  return [names nameAt: name_at];
 }
 
 - (BOOL) contains: (struct k_vec)P

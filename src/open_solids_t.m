@@ -74,7 +74,7 @@ are_closed(NSArray *faces)
   from->is_told = to->is_told = YES;
   [diag fault: face->solid_place : @"solid '%@' is not closed, nor is '%@'"
     @" without polygon '%@'; did you mean '%@'?", from->name, to->name,
-        face->name, to->name];
+        [face name], to->name];
 }
 
 /** Whether the face with the open edge is all that is wrong: without it there
@@ -168,7 +168,7 @@ are_closed(NSArray *faces)
   [diag fault: face->solid_place : @"solid '%@' is not closed: the edge"
     @" from (%.6g %.6g %.6g) to (%.6g %.6g %.6g) of polygon '%@' %@",
         solid->name, open.a.x, open.a.y, open.a.z, open.b.x, open.b.y,
-        open.b.z, face->name, how];
+        open.b.z, [face name], how];
 }
 
 - (void) tell: (diag_t *)diag

@@ -6,20 +6,23 @@
 
 @implementation parser_t
 
-/** Reads the blocks, makes the model of them; nil if there was a fault. */
+/** Reads the blocks, makes the model of them; nil if there was a fault.
+    keeps_all: the store has all blocks afterwards. */
 + (model_t *) model: (struct parse_options)options from: (source_t *)source
              reader: (mdl_t *)reader
-               into: (store_t *)store text: (text_t *)text
-               diag: (diag_t *)diag
+               into: (store_t *)store keepsAll: (BOOL)keeps_all
+               text: (text_t *)text diag: (diag_t *)diag
 {
   builder_t *builder;
   model_t *model = [[model_t alloc] init];
 
-  [reader read: source];
   model->polygon_test = options.polygon_test;
   model->max_depth = options.max_depth;
-  builder = [[builder_t alloc] init: store text: text diag: diag];
-  [builder build: model];
+  builder = [[builder_t alloc] init: store text: text diag: diag
+                              model: model];
+  store->builder = keeps_all ? nil : builder;
+  [reader read: source];
+  [builder build];
   [builder release];
   if ([diag faultCount] > 0)
     {
@@ -49,7 +52,8 @@
   mdl_t *reader = [[mdl_t alloc] init: text into: store diag: diag
                           includePath: includePath];
   model_t *model = [self model: options from: source reader: reader
-                          into: store text: text diag: diag];
+                          into: store keepsAll: canonical != NULL
+                          text: text diag: diag];
 
   if (bytes)
     {

@@ -97,13 +97,13 @@
       [block fault: [block placeOf: "vertex" at: worst_vertex]
                   : @"polygon '%@' is not planar: this vertex is %.3g off its"
         @" plane, more than 1e-4 of the polygon's extent %.6g",
-             name, worst, extent];
+             [self name], worst, extent];
     }
   else if (worst > 0x1p-20 * extent)
     {
       [block warn: [block placeOf: "vertex" at: worst_vertex]
                  : @"polygon '%@' is not quite planar: this vertex is %.3g"
-        @" off its plane", name, worst];
+        @" off its plane", [self name], worst];
     }
 }
 
@@ -123,14 +123,14 @@
       if ([block count: "vertex"] < 3)
         {
           [block fault: place : @"polygon '%@' has %u vertices, expected"
-            @" three or more", name, [block count: "vertex"]];
+            @" three or more", [self name], [block count: "vertex"]];
           return self;
         }
       [self readVertices: block];
       struct k_vec normal = [self newellNormal: &area_is_noise];
       if (count < 3 || area_is_noise)
         {
-          [block fault: place : @"polygon '%@' has no area", name];
+          [block fault: place : @"polygon '%@' has no area", [self name]];
           return self;
         }
       newell = plane.n = k_unit(normal);
@@ -276,7 +276,7 @@
         {
           [diag fault: polygon->place : @"polygon '%@' is not convex: the test"
             @" by edges is for convex polygons only; use --polygon-test"
-            @" crossings or angles", polygon->name];
+            @" crossings or angles", [polygon name]];
         }
     }
   [solid_t joinFaces: instances model: model diag: diag];

@@ -125,6 +125,26 @@
         a->name, [self owner], [self quote: t], reason);
 }
 
+/** Takes the next token, which should be a number. */
+static inline enum number_result
+next_number(struct cursor *cursor, BOOL is_whole, locale_t c,
+            struct token *t, double *value)
+{
+  token_skip_space(cursor);
+
+  const char *end = is_whole ? NULL : number_read_short(cursor->at, value);
+
+  if (end && token_byte(*end) != TOKEN_WORD)
+    {
+      *t = (struct token){ cursor->at, end - cursor->at };
+      cursor->at = end;
+      return NUMBER_GOOD;
+    }
+  *t = token_next(cursor);
+  return is_whole ? number_read_whole(t->at, t->length, c, value)
+    : number_read(t->at, t->length, c, value);
+}
+
 - (BOOL) readNumbers: (const struct attribute *)a into: (struct value *)values
 {
   BOOL is_good = YES, is_zero = YES, is_whole = attribute_is_whole(a);
@@ -132,12 +152,11 @@
 
   for (unsigned i = 0, n = attribute_values(a); i < n; i++)
     {
-      struct cursor here = text->cursor;
-      struct token t = token_next(&text->cursor);
       double *value = &values[i].number;
-      enum number_result result = is_whole
-        ? number_read_whole(t.at, t.length, c_locale, value)
-        : number_read(t.at, t.length, c_locale, value);
+      struct cursor here = text->cursor;
+      struct token t;
+      enum number_result result
+        = next_number(&text->cursor, is_whole, c_locale, &t, value);
 
       if (result == NUMBER_NONE && (!token_is_word(t) || [self endsValues: t]))
         {

@@ -17,6 +17,7 @@ struct shell_face;
   NSArray *faces;       // polygon_t, in order of declaration
   BOOL is_convex;       // and of few faces: slab clipping
 @protected
+  NSString *name;
   struct k_bounds box;
 }
 

@@ -139,8 +139,14 @@
 
 - (void) dealloc
 {
+  [name release];
   [faces release];
   [super dealloc];
+}
+
+- (NSString *) name
+{
+  return name;
 }
 
 - (struct k_bounds) bounds

@@ -1,4 +1,5 @@
 #import "source_t.h"
+#import "machine.h"
 #include "grow.h"
 #include "utf8.h"
 #include <errno.h>
@@ -57,6 +58,10 @@ read_all(int fd, size_t expected, BOOL is_awaited, size_t *size)
   char *buffer = malloc(capacity);
   ssize_t got = 1;
 
+  if (buffer)
+    {
+      machine_large_pages(buffer, capacity);
+    }
   while (buffer && got > 0)
     {
       got = read_some(fd, buffer + used, MIN(capacity - used - 1, CHUNK),

@@ -84,6 +84,11 @@
     }
 }
 
++ (void) prepare: (NSUInteger)count for: (compiler_t *)compiler
+{
+  k_expect_spheres(compiler->scene, count);
+}
+
 - (BOOL) compile: (compiler_t *)compiler
 {
   k_add_sphere(compiler->scene, [compiler surfaceOf: self], center, radius);

@@ -7,6 +7,8 @@
 #include "kernel/k_vec.h"
 #include "token.h"
 
+@class builder_t;
+
 /** A block word. Numbers of kinds: see below, the shapes follow. */
 struct kind
 {
@@ -53,7 +55,12 @@ struct record
   unsigned name_order;
   unsigned given;       // number of the first attribute given
   unsigned given_count;
+  unsigned number;      // of the object, or of the material among those made;
+                        // 0: not known yet
   BOOL is_faulty;
+  BOOL is_known;        // by its name
+  BOOL is_used;         // this material, by an object that is made
+  BOOL is_made;         // this object: its attributes are gone
 };
 
 #define NO_RECORD UINT_MAX
@@ -74,6 +81,8 @@ struct record
   BOOL is_partial;      // a file is missing: what is not there may be in it
   BOOL is_nameless;     // a material has no name: it may be one that is sought
   BOOL is_sound;        // no fault that may make a shape incomplete
+  builder_t *builder;   // makes objects as they are read; not retained; nil:
+                        // all blocks are kept
 @protected
   unsigned kind_capacity, record_capacity, given_capacity, value_capacity;
   struct name *names;   // hash table of records by kind and name
@@ -97,6 +106,11 @@ struct record
 /** Adds an attribute with its values to the last record. */
 - (void) give: (const struct attribute *)a at: (unsigned)order
        values: (const struct value *)some;
+
+/** Says that all of the last record is there. If it is an object that can be
+    made now, it is, and its values are given back; so is the record if it is
+    not known by its name. */
+- (void) end;
 
 /** Makes the last record known by its name. If there is one of that kind and
     name already, that stays and is returned; otherwise NO_RECORD. */

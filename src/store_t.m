@@ -1,4 +1,5 @@
 #import "store_t.h"
+#import "builder_t.h"
 #import "camera_t.h"
 #import "light_t.h"
 #import "material_t.h"
@@ -135,6 +136,31 @@ is_identifier(struct token word)
     }
 }
 
+- (void) end
+{
+  struct record *record = &records[record_count - 1];
+
+  if (![builder makeEarly: record_count - 1])
+    {
+      return;
+    }
+  record->is_made = YES;
+  if (record->given_count > 0)
+    {
+      value_count = givens[record->given].value;
+    }
+  given_count = record->given;
+  record->given_count = 0;
+  if (!record->is_known)
+    {
+      if (record->name.at + record->name.length == made + made_length)
+        {
+          made_length -= record->name.length;
+        }
+      record_count--;
+    }
+}
+
 /** FNV-1a of all but the last character, its bits mixed once more; the last
     character is the lowest bits. So s10, s11 … s19, which usually come one
     after the other, are near each other in memory. */
@@ -222,6 +248,7 @@ hash_of(unsigned kind, struct token name)
 
 - (unsigned) enter
 {
+  records[record_count - 1].is_known = YES;
   return [self enter: record_count - 1];
 }
 

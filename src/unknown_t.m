@@ -59,6 +59,10 @@
   for (unsigned i = 0; i < store->record_count; i++)
     {
       struct record *record = &store->records[i];
+      if (record->is_used && token_is_same(record->name, wanted))
+        {
+          return YES;
+        }
       const struct given *given = &store->givens[record->given];
       const struct attribute *table = store->kinds[record->kind].table;
 

@@ -1,5 +1,6 @@
 // k_scene.c - gathering a scene.
 
+#include "k_memory.h"
 #include "k_scene.h"
 #include <stdlib.h>
 #include <string.h>
@@ -127,6 +128,23 @@ k_add_sphere(struct k_scene *scene, struct k_surface s, struct k_vec center,
 }
 
 void
+k_expect_spheres(struct k_scene *scene, size_t count)
+{
+  size_t room = scene->sphere_count + count;
+  struct k_sphere *spheres = room > scene->sphere_room && room < UINT32_MAX
+    ? k_large_new(room * sizeof *spheres) : NULL;
+
+  if (spheres)
+    {
+      memcpy(spheres, scene->spheres,
+             scene->sphere_count * sizeof *spheres);
+      free(scene->spheres);
+      scene->spheres = spheres;
+      scene->sphere_room = room;
+    }
+}
+
+void
 k_add_plane(struct k_scene *scene, struct k_surface s, struct k_plane plane)
 {
   struct k_flat *flat = ONE_MORE(scene, planes, plane);
@@ -227,31 +245,43 @@ k_add_user(struct k_scene *scene, struct k_surface s, struct k_user user)
 }
 
 /** Calls f for every shape that bounds a medium. */
+#define LIST(medium, kind, index) \
+  do \
+    { \
+      if (medium) \
+        { \
+          f(scene, medium, kind, index); \
+        } \
+    } \
+  while (0)
+
 static void
 each_in_medium(struct k_scene *scene,
                void (*f)(struct k_scene *, unsigned, enum k_kind, uint32_t))
 {
   for (uint32_t i = 0; i < scene->sphere_count; i++)
     {
-      f(scene, scene->spheres[i].s.medium, K_SPHERE, i);
+      LIST(scene->spheres[i].s.medium, K_SPHERE, i);
     }
   for (uint32_t i = 0; i < scene->plane_count; i++)
     {
-      f(scene, scene->planes[i].s.medium, K_PLANE, i);
+      LIST(scene->planes[i].s.medium, K_PLANE, i);
     }
   for (uint32_t i = 0; i < scene->polygon_count; i++)
     {
-      f(scene, scene->polygons[i].s.medium, K_POLYGON, i);
+      LIST(scene->polygons[i].s.medium, K_POLYGON, i);
     }
   for (uint32_t i = 0; i < scene->convex_count; i++)
     {
-      f(scene, scene->convex[i].medium, K_CONVEX, i);
+      LIST(scene->convex[i].medium, K_CONVEX, i);
     }
   for (uint32_t i = 0; i < scene->user_count; i++)
     {
-      f(scene, scene->users[i].s.medium, K_USER, i);
+      LIST(scene->users[i].s.medium, K_USER, i);
     }
 }
+
+#undef LIST
 
 static void
 count_medium(struct k_scene *scene, unsigned medium, enum k_kind kind,
@@ -277,6 +307,10 @@ list_media(struct k_scene *scene)
 {
   uint32_t total = 0;
 
+  if (scene->media_count <= 1)
+    {
+      return K_OK;      // not even one
+    }
   each_in_medium(scene, count_medium);
   for (uint32_t i = 0; i < scene->media_count; i++)
     {

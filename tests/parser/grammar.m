@@ -50,7 +50,7 @@ test_names(void)
       struct load load = load_scene([text UTF8String]);
       NSString *name = [NSString stringWithUTF8String: names[i]];
       object_t *object = [load.model->objects lastObject];
-      PASS(load.model && [object->name isEqual: name]
+      PASS(load.model && [[object name] isEqual: name]
            && [object->material->name isEqual: name],
            "'%s' is a name", names[i]);
     }

@@ -39,7 +39,7 @@
       if (tube >= ring)
         {
           [block fault: [block placeOfValue: "ring" at: 0]
-                      : @"torus '%@' has no hole", name];
+                      : @"torus '%@' has no hole", [self name]];
         }
     }
   return self;
@@ -158,7 +158,7 @@ attributes(void)
 
   PASS([t isKindOfClass: [torus_t class]], "the block makes a torus_t");
   PASS(t->ring == 2 && t->tube == 0.5, "with its attributes and defaults");
-  PASS(t->number == 1 && [t->name isEqual: @"t"] && t->material
+  PASS(t->number == 1 && [[t name] isEqual: @"t"] && t->material
        == [model->materials objectForKey: @"m"], "its name, number and"
        " material");
   PASS(t->slack > 0 && t->slack < 1e-8, "and some slack: %g", t->slack);

@@ -16,7 +16,7 @@
 /** Met in glass only, and by feelers that start there. */
 - (void) hits: (ray_t *)ray
 {
-  if (ray->media && [((object_t *)ray->media->object)->name isEqual: @"ball"])
+  if (ray->media && [[(object_t *)ray->media->object name] isEqual: @"ball"])
     {
       [super hits: ray];
     }
