@@ -76,12 +76,6 @@
   right = k_unit(right);
   up = k_cross(right, ahead);
   height = 2 * trig_tan_degrees([block number: "angle" at: 0] / 2);
-  if ([block count: "worlddim"])
-    {
-      [block fault: [block placeOf: "worlddim" at: 0]
-                  : @"'worlddim' with 'lookat': the window is given by"
-        @" 'angle'"];
-    }
 }
 
 - (void) readWindow: (block_t *)block
@@ -141,6 +135,12 @@
       else if ([self has: "lookat" : "up" : "angle" in: block])
         {
           [self readLookat: block];
+        }
+      if (is_lookat && [block count: "worlddim"])
+        {
+          [block fault: [block placeOf: "worlddim" at: 0]
+                      : @"'worlddim' with 'lookat': the window is given by"
+            @" 'angle'"];
         }
       [self readLens: block];
       [self resizeTo: columns : rows];
