@@ -1,5 +1,6 @@
 #import "model_t.h"
 #import "camera_t.h"
+#include "grow.h"
 #import "material_t.h"
 #import "ray_t.h"
 
@@ -40,10 +41,10 @@ contains(const struct clear *clear, struct k_vec o)
 - (void) findClear
 {
   NSUInteger count = [surfaces count];
-  struct clear *others = calloc(count + 1, sizeof *others);
+  struct clear *others = new_array(count + 1, sizeof *others);
   unsigned other_count = 0;
 
-  clear = calloc(count + 1, sizeof *clear);
+  clear = new_array(count + 1, sizeof *clear);
   lens = camera ? [camera lensBox] : k_nothing();
   BOOL is_point = k_is_equal(lens.least, lens.most);
   for (object_t *object in surfaces)

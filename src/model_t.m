@@ -2,6 +2,7 @@
 #import "camera_t.h"
 #import "light_t.h"
 #import "material_t.h"
+#include "grow.h"
 #import "names_t.h"
 #import "ray_t.h"
 #import <objc/runtime.h>
@@ -149,7 +150,7 @@ overrides_complete(Class class, Class above)
 
 - (struct surface *) newTable
 {
-  struct surface *s = calloc([surfaces count] + 1, sizeof *s), *next = s;
+  struct surface *s = new_array([surfaces count] + 1, sizeof *s), *next = s;
 
   for (object_t *object in surfaces)
     {

@@ -136,8 +136,11 @@ k_expect_spheres(struct k_scene *scene, size_t count)
 
   if (spheres)
     {
-      memcpy(spheres, scene->spheres,
-             scene->sphere_count * sizeof *spheres);
+      if (scene->sphere_count)
+        {
+          memcpy(spheres, scene->spheres,
+                 scene->sphere_count * sizeof *spheres);
+        }
       free(scene->spheres);
       scene->spheres = spheres;
       scene->sphere_room = room;
