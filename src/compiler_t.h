@@ -17,9 +17,6 @@
 
 - (id) initWithScene: (struct k_scene *)aScene;
 
-/** Says to the classes of these objects how many they will have to describe. */
-- (void) prepare: (NSArray *)objects;
-
 /** What the kernel has to know of a surface of the object. */
 - (struct k_surface) surfaceOf: (object_t *)object;
 
@@ -38,8 +35,8 @@
 /** NO if it did not. */
 - (BOOL) compile: (compiler_t *)compiler;
 
-/** Called before so many instances of the class are asked to compile:, to make
-    room for them. The default does nothing. */
+/** Called before instances of the class are asked to compile:, up to so many,
+    to make room for them. The default does nothing. */
 + (void) prepare: (NSUInteger)count for: (compiler_t *)compiler;
 
 @end

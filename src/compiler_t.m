@@ -1,6 +1,5 @@
 #import "compiler_t.h"
 #import "material_t.h"
-#import <objc/runtime.h>
 
 @implementation object_t (Compiling)
 
@@ -37,38 +36,6 @@
   NSFreeMapTable(media);
   [mediumObjects release];
   [super dealloc];
-}
-
-- (void) prepare: (NSArray *)objects
-{
-  NSMapTable *counts = NSCreateMapTable(NSNonOwnedPointerMapKeyCallBacks,
-                                        NSIntegerMapValueCallBacks, 0);
-  Class class = [NSObject class];
-  intptr_t count = 0;
-
-  for (object_t *object in objects)
-    {
-      if (object_getClass(object) != class)
-        {
-          NSMapInsert(counts, class, (void *)count);
-          class = object_getClass(object);
-          count = (intptr_t)NSMapGet(counts, class);
-        }
-      count++;
-    }
-  NSMapInsert(counts, class, (void *)count);
-
-  NSMapEnumerator each = NSEnumerateMapTable(counts);
-
-  while (NSNextMapEnumeratorPair(&each, (void **)&class, (void **)&count))
-    {
-      if (count > 0)
-        {
-          [class prepare: count for: self];
-        }
-    }
-  NSEndMapTableEnumeration(&each);
-  NSFreeMapTable(counts);
 }
 
 - (unsigned) numberOf: (material_t *)m

@@ -88,10 +88,10 @@ typedef BOOL (*compile_t)(id, SEL, compiler_t *);
 /** Asks all objects to describe themselves. */
 - (void) compile: (NSArray *)objects
 {
+  NSUInteger left = [objects count];
   Class last = Nil;
   compile_t compile = NULL;
 
-  [compiler prepare: objects];
   for (object_t *object in objects)
     {
       Class class = object_getClass(object);
@@ -100,7 +100,9 @@ typedef BOOL (*compile_t)(id, SEL, compiler_t *);
           last = class;
           compile = (compile_t)(void (*)(void))
             [class instanceMethodForSelector: @selector(compile:)];
+          [class prepare: left for: compiler];
         }
+      left--;
       if (!compile(object, @selector(compile:), compiler))
         {
           [self addUser: object];

@@ -69,8 +69,8 @@ unsigned k_add_material(struct k_scene *scene, const struct k_material *m);
 void k_add_light(struct k_scene *scene, const struct k_light *light);
 void k_add_sphere(struct k_scene *scene, struct k_surface s,
                   struct k_vec center, double radius);
-/** Makes room for so many spheres, which takes less time and memory than to
-    make it little by little. */
+/** Makes room for up to so many spheres, which takes less time than to make it
+    little by little. */
 void k_expect_spheres(struct k_scene *scene, size_t count);
 
 void k_add_plane(struct k_scene *scene, struct k_surface s,

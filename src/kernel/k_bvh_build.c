@@ -41,6 +41,21 @@ split(const struct builder *b, const struct k_range *r, uint32_t fork,
   k_fork_set(&b->forks[fork], r->box, left->count);
 }
 
+/** Makes the fork of a range of two, which every other fork is. */
+static void
+fork_two(const struct builder *b, const struct k_range *r, uint32_t fork,
+         float area, struct k_roots *roots)
+{
+  struct k_item *items = &b->items[r->first];
+  struct k_fork *f = &b->forks[fork];
+
+  items[0] = r->items[0];
+  items[1] = r->items[1];
+  k_fork_set(f, r->box, 1);
+  k_roots_of_two(roots, f, area, k_half_area(k_box_of(&items[0]))
+                 + k_half_area(k_box_of(&items[1])));
+}
+
 /** Makes the forks of a range. */
 static void
 fork_all(const struct builder *b, const struct k_range *r, uint32_t fork,
@@ -54,6 +69,11 @@ fork_all(const struct builder *b, const struct k_range *r, uint32_t fork,
     {
       b->items[r->first] = r->items[0];
       k_roots_of_one(roots, area);
+      return;
+    }
+  if (r->count == 2)
+    {
+      fork_two(b, r, fork, area, roots);
       return;
     }
   split(b, r, fork, depth, &left, &right);

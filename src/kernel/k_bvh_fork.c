@@ -60,6 +60,25 @@ k_roots_join(struct k_roots *roots, struct k_fork *fork, uint32_t count,
     }
 }
 
+void
+k_roots_of_two(struct k_roots *roots, struct k_fork *fork, float area,
+               float both)
+{
+  float as_leaf = 2 * area, as_node = COST_OF_NODE * area + both;
+  int is_leaf = as_leaf <= as_node;
+  float as_one = is_leaf ? as_leaf : as_node;
+  int is_better_two = both < as_one;
+
+  fork->choice = 1 << OF_NODE | (is_leaf ? LEAF : 0) | is_better_two;
+  roots->cost[0] = as_one;
+  roots->nodes[0] = !is_leaf;
+  for (int i = 1; i < K_WIDTH; i++)
+    {
+      roots->cost[i] = is_better_two ? both : as_one;
+      roots->nodes[i] = is_better_two ? 0 : !is_leaf;
+    }
+}
+
 unsigned
 k_fork_left(const struct k_fork *fork, unsigned *most)
 {

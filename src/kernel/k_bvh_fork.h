@@ -62,6 +62,11 @@ k_roots_of_one(struct k_roots *roots, float area)
     }
 }
 
+/** Of a list of two, with this surface, whose shapes have `both` surfaces
+    together; notes the choice in the fork. */
+void k_roots_of_two(struct k_roots *roots, struct k_fork *fork, float area,
+                    float both);
+
 /** Those of a list of `count`, with this surface, of those of its parts;
     notes the choice in the fork. */
 void k_roots_join(struct k_roots *roots, struct k_fork *fork, uint32_t count,

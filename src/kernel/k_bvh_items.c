@@ -8,41 +8,36 @@
 #include <pthread.h>
 #include <stdlib.h>
 
-/** The box of a shape in the world, as its class has it. */
+/** The box of a polygon in the world, as its class has it. */
 static struct k_bounds
-box_of(const struct k_scene *scene, struct k_ref ref)
+box_of_polygon(const struct k_polygon *p)
 {
   struct k_bounds box = k_nothing();
 
-  switch ((enum k_kind)ref.kind)
+  for (unsigned i = 0; i < p->n; i++)
     {
-    case K_SPHERE:
-      {
-        const struct k_sphere *s = &scene->spheres[ref.index];
-        struct k_vec r = k_vec(s->radius, s->radius, s->radius);
-        box.least = k_sub(s->center, r);
-        box.most = k_add(s->center, r);
-        return k_bounds_pad(box);
-      }
-    case K_POLYGON:
-      {
-        const struct k_polygon *p = &scene->polygons[ref.index];
-        for (unsigned i = 0; i < p->n; i++)
-          {
-            box = k_bounds_include(box, k_vec(p->vertex[0][i],
-                                              p->vertex[1][i],
-                                              p->vertex[2][i]));
-          }
-        return k_bounds_pad(box);
-      }
-    case K_CONVEX:
-      return scene->convex[ref.index].box;
-    case K_USER:
-      return scene->users[ref.index].user.box;
-    case K_PLANE:
-      break;
+      box = k_bounds_include(box, k_vec(p->vertex[0][i], p->vertex[1][i],
+                                        p->vertex[2][i]));
     }
-  return k_unbounded();
+  return k_bounds_pad(box);
+}
+
+static inline struct k_bounds
+box_of_sphere(const struct k_sphere *s)
+{
+  struct k_vec r = k_vec(s->radius, s->radius, s->radius);
+  struct k_bounds box = { k_sub(s->center, r), k_add(s->center, r) };
+
+  return k_bounds_pad(box);
+}
+
+static inline struct k_bounds
+box_of(const struct k_scene *scene, struct k_ref ref)
+{
+  return ref.kind == K_SPHERE ? box_of_sphere(&scene->spheres[ref.index])
+    : ref.kind == K_POLYGON ? box_of_polygon(&scene->polygons[ref.index])
+    : ref.kind == K_CONVEX ? scene->convex[ref.index].box
+    : scene->users[ref.index].user.box;
 }
 
 #define PIECE 8192              // shapes that a thread takes at once

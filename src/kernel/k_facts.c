@@ -7,15 +7,15 @@ static size_t
 bytes_of(const struct k_scene *scene)
 {
   size_t bytes = sizeof *scene
-    + scene->material_room * sizeof *scene->materials
-    + scene->light_room * sizeof *scene->lights
-    + scene->sphere_room * sizeof *scene->spheres
-    + scene->plane_room * sizeof *scene->planes
-    + scene->polygon_room * sizeof *scene->polygons
-    + scene->convex_room * sizeof *scene->convex
-    + scene->face_room * sizeof *scene->faces
-    + scene->user_room * sizeof *scene->users
-    + scene->media_room * sizeof *scene->media
+    + scene->material_count * sizeof *scene->materials
+    + scene->light_count * sizeof *scene->lights
+    + scene->sphere_count * sizeof *scene->spheres
+    + scene->plane_count * sizeof *scene->planes
+    + scene->polygon_count * sizeof *scene->polygons
+    + scene->convex_count * sizeof *scene->convex
+    + scene->face_count * sizeof *scene->faces
+    + scene->user_count * sizeof *scene->users
+    + scene->media_count * sizeof *scene->media
     + scene->tree.node_count * sizeof *scene->tree.nodes
     + scene->tree.ref_count * sizeof *scene->tree.refs;
 

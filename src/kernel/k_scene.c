@@ -5,31 +5,30 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Room for one more in an array; NULL when memory is short. */
-static void *
-one_more(struct k_scene *scene, void *array, uint32_t *count, uint32_t *room,
-         size_t size)
+/** Makes an array longer. 0: no memory. */
+static int
+grow(struct k_scene *scene, void *array, uint32_t *room, size_t size)
 {
   char **items = array;
+  uint32_t more = *room ? 2 * *room : 16;
+  char *grown = realloc(*items, more * size);
 
-  if (*count == *room)
+  if (!grown)
     {
-      uint32_t more = *room ? 2 * *room : 16;
-      char *grown = realloc(*items, more * size);
-      if (!grown)
-        {
-          scene->is_short_of_memory = 1;
-          return NULL;
-        }
-      *items = grown;
-      *room = more;
+      scene->is_short_of_memory = 1;
+      return 0;
     }
-  return *items + (*count)++ * size;
+  *items = grown;
+  *room = more;
+  return 1;
 }
 
+/** Room for one more in an array; NULL when memory is short. */
 #define ONE_MORE(scene, many, one) \
-  one_more(scene, &(scene)->many, &(scene)->one##_count, \
-           &(scene)->one##_room, sizeof *(scene)->many)
+  ((scene)->one##_count < (scene)->one##_room \
+     || grow(scene, &(scene)->many, &(scene)->one##_room, \
+             sizeof *(scene)->many) \
+   ? &(scene)->many[(scene)->one##_count++] : NULL)
 
 struct k_scene *
 k_scene_new(void)

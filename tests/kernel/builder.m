@@ -39,6 +39,7 @@
 #define k_split plain_split
 #define k_wide_cut plain_wide_cut
 #define k_wide_split plain_wide_split
+#define k_roots_of_two plain_roots_of_two
 #define k_roots_join plain_roots_join
 #define k_fork_left plain_fork_left
 #define k_fork_is_leaf plain_fork_is_leaf
