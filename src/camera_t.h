@@ -54,3 +54,15 @@ struct sample
                 pos: (struct k_vec *)pos dir: (struct k_vec *)dir;
 
 @end
+
+/** Whether rays start anywhere on a lens. Not in a program made with
+    -DPLAIN_SCENES: bench/absent. */
+static inline BOOL
+camera_has_lens(const camera_t *camera)
+{
+#ifdef PLAIN_SCENES
+  return NO;
+#else
+  return camera->has_lens;
+#endif
+}

@@ -278,7 +278,7 @@ disc_from_square(double *u, double *v)
            of: (const struct sample *)samples
 {
   direct(self, samples, count, rays);
-  for (unsigned n = 0; has_lens && n < count; n++)
+  for (unsigned n = 0; camera_has_lens(self) && n < count; n++)
     {
       double u = samples[n].u, v = samples[n].v;
       if (lens_is_disc)

@@ -3,6 +3,7 @@
 #import "image_t.h"
 #import "errors.h"
 #import "machine.h"
+#include "large.h"
 #include <float.h>
 #include <stdlib.h>
 
@@ -45,7 +46,7 @@ made_finite(double c, NSUInteger *nanCount)
     {
       pixels = calloc(count, sizeof *pixels);
       surfaces = withSurfaces ? calloc(count, sizeof *surfaces) : NULL;
-      machine_large_pages(pixels, count * sizeof *pixels);
+      large_pages(pixels, count * sizeof *pixels);
     }
   if (pixels == NULL || (withSurfaces && surfaces == NULL))
     {

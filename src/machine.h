@@ -9,10 +9,6 @@ unsigned machine_cores(void);
     there is a limit (ulimit -v). */
 double machine_memory(void);
 
-/** Memory that is about to be used as a whole may come in large pages, which
-    takes less time. */
-void machine_large_pages(void *memory, size_t bytes);
-
 /** The folders of the program's own models, installed or in the source tree
     (autoreleased). */
 NSArray *machine_models(void);

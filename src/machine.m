@@ -4,7 +4,6 @@
 #import "machine.h"
 #include <limits.h>
 #include <sched.h>
-#include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -29,19 +28,6 @@ machine_memory(void)
       memory = limit.rlim_cur;
     }
   return memory;
-}
-
-void
-machine_large_pages(void *memory, size_t bytes)
-{
-  uintptr_t page = sysconf(_SC_PAGESIZE);
-  uintptr_t from = ((uintptr_t)memory + page - 1) & -page;
-  uintptr_t to = ((uintptr_t)memory + bytes) & -page;
-
-  if (to > from)
-    {
-      madvise((void *)from, to - from, MADV_HUGEPAGE);
-    }
 }
 
 NSArray *

@@ -97,7 +97,7 @@ add(const render_t *self, struct pixel *pixel, struct sample sample,
 {
   const struct render_options *options = &self->options;
   unsigned exposure = self->camera->exposure;
-  BOOL has_lens = self->camera->has_lens;
+  BOOL has_lens = camera_has_lens(self->camera);
   uint64_t ray_number = 0;
 
   for (unsigned s = 0; s < options->samples; s++)
@@ -145,7 +145,11 @@ add(const render_t *self, struct pixel *pixel, struct sample sample,
               [camera centralRay: sample pos: &o dir: &d];
               *[image surfaceAt: x : y] = [engine surfaceAt: o : d];
             }
-          add(self, row + (x - w.x0), sample, &bundle, count);
+          struct pixel *pixel = row + (x - w.x0);
+          // Written before it is read: a page of the picture that is read first
+          // comes twice, and stops the other threads when it is written.
+          pixel->color = k_vec(0, 0, 0);
+          add(self, pixel, sample, &bundle, count);
         }
     }
   trace(self, &bundle, count);

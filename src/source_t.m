@@ -1,6 +1,6 @@
 #import "source_t.h"
-#import "machine.h"
 #include "grow.h"
+#include "large.h"
 #include "utf8.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -60,7 +60,7 @@ read_all(int fd, size_t expected, BOOL is_awaited, size_t *size)
 
   if (buffer)
     {
-      machine_large_pages(buffer, capacity);
+      large_pages(buffer, capacity);
     }
   while (buffer && got > 0)
     {

@@ -411,6 +411,8 @@ k_beam_ask(const struct k_scene *scene, struct k_beam *beam, int is_feeler)
     }
 }
 
+/** The nearest hits of n <= K_MANY rays; of feelers, which must go to one
+    light, whether anything is in their way. */
 static inline void
 k_find_many(const struct k_scene *scene, struct k_ray *rays, unsigned n,
             int is_feeler)
@@ -434,17 +436,4 @@ k_find_many(const struct k_scene *scene, struct k_ray *rays, unsigned n,
         : k_reach_float(scene, &rays[i]);
     }
   k_beam_ask(scene, &beam, is_feeler);
-}
-
-static inline void
-find_closest(const struct k_scene *scene, struct k_ray *rays, unsigned n)
-{
-  k_find_many(scene, rays, n, 0);
-}
-
-/** Feelers: whether anything is in their way. */
-static inline void
-find_any(const struct k_scene *scene, struct k_ray *rays, unsigned n)
-{
-  k_find_many(scene, rays, n, 1);
 }

@@ -5,8 +5,8 @@
 // long lists, and take one each of the shorter ones.
 
 #include "k_bvh_work.h"
-#include "k_memory.h"
 #include "k_parallel.h"
+#include "../large.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -161,10 +161,10 @@ all_of(struct k_item *items, struct k_item *spare, uint32_t count)
 static int
 make_forks(struct builder *b, struct k_roots *roots)
 {
-  struct k_item *spare = k_large_new(b->count * sizeof *spare);
+  struct k_item *spare = large_new(b->count * sizeof *spare);
   int is_done = 0;
 
-  b->forks = k_large_new(b->count * sizeof *b->forks);
+  b->forks = large_new(b->count * sizeof *b->forks);
   if (spare && b->forks)
     {
       struct k_range all = all_of(b->items, spare, b->count);

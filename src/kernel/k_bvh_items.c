@@ -3,8 +3,8 @@
 
 #include "k_bvh_build.h"
 #include "k_float.h"
-#include "k_memory.h"
 #include "k_parallel.h"
+#include "../large.h"
 #include <pthread.h>
 #include <stdlib.h>
 
@@ -166,7 +166,7 @@ k_tree_make(struct k_scene *scene, unsigned threads)
   if (s.count)
     {
       threads = s.count > PIECE ? threads : 1;
-      s.items = k_large_new(s.count * sizeof *s.items);
+      s.items = large_new(s.count * sizeof *s.items);
       status = K_NO_MEMORY;
     }
   if (s.items)

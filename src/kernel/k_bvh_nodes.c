@@ -2,8 +2,8 @@
 // then, by all threads, those of each task behind those of the one before.
 
 #include "k_bvh_work.h"
-#include "k_memory.h"
 #include "k_parallel.h"
+#include "../large.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -193,7 +193,7 @@ k_nodes_make(struct builder *b, const struct k_roots *roots,
   uint32_t count = roots->nodes[0] ? roots->nodes[0] : 1;
 
   b->tree = tree;
-  tree->nodes = k_large_new(count * sizeof *tree->nodes);
+  tree->nodes = large_new(count * sizeof *tree->nodes);
   tree->refs = malloc(b->count * sizeof *tree->refs);
   if (!tree->nodes || !tree->refs)
     {

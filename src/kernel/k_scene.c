@@ -1,7 +1,7 @@
 // k_scene.c - gathering a scene.
 
-#include "k_memory.h"
 #include "k_scene.h"
+#include "../large.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -131,7 +131,7 @@ k_expect_spheres(struct k_scene *scene, size_t count)
 {
   size_t room = scene->sphere_count + count;
   struct k_sphere *spheres = room > scene->sphere_room && room < UINT32_MAX
-    ? k_large_new(room * sizeof *spheres) : NULL;
+    ? large_new(room * sizeof *spheres) : NULL;
 
   if (spheres)
     {

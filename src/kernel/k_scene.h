@@ -146,6 +146,18 @@ enum k_status k_tree_make(struct k_scene *scene, unsigned threads);
 /** The instruction set for this machine, or the one named; NULL: none. */
 const struct k_isa *k_isa_find(const char *name);
 
+/** Whether light goes no further than ambient in this scene. A program made with
+    -DPLAIN_SCENES knows no others: bench/absent. */
+static inline int
+k_is_plain(const struct k_scene *scene)
+{
+#ifdef PLAIN_SCENES
+  return 1;
+#else
+  return !(scene->light_count || scene->has_mirrors || scene->has_clear);
+#endif
+}
+
 /** Whether a shape with this box goes into the tree: it has one, no larger
     than scenes can be. */
 static inline int

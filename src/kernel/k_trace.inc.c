@@ -7,112 +7,9 @@
 // for all of them before the next, so that the search can look for the hits of
 // all at once (k_beam.inc.c). No ray takes notice of the others.
 
-#include "k_beam.inc.c"
-#include "k_media.h"
+#include "k_escape.inc.c"
 #include "../shade.h"
 #include <alloca.h>
-
-/** P and N of the nearest hit, which had no need of them before. */
-static void
-finish_hit(struct k_ray *ray)
-{
-  struct k_hit *hit = &ray->hit;
-
-  if (hit->finish == K_FINISH_PLANE)
-    {
-      hit->P = k_plane_point(hit->plane, ray->o, ray->d, hit->t);
-      hit->N = hit->plane->n;
-    }
-  else if (hit->finish == K_FINISH_SPHERE)
-    {
-      hit->N = k_unit(hit->N);
-      hit->P = k_along(hit->center, hit->radius, hit->N);
-    }
-  hit->finish = K_FINISHED;
-}
-
-#define FEW_FACES 8             // shapes of a medium asked one after the other
-
-/** Asks only what has the medium: whether the ray comes out of it again. */
-static int
-leaves(const struct k_scene *scene, const struct k_ray *ray, unsigned medium)
-{
-  struct k_ray probe = *ray;
-  const struct k_medium *m = &scene->media[medium];
-
-  probe.hit.t = HUGE_VAL;
-  probe.hit.surface = NULL;
-  if (m->count > FEW_FACES)
-    {
-      probe.only = medium;      // the faces of a solid
-      K_CLOSEST(scene, &probe);
-    }
-  for (uint32_t i = 0; i < m->count && m->count <= FEW_FACES; i++)
-    {
-      k_ref_ask(scene, scene->medium_refs[m->first + i], &probe);
-    }
-  ray->counters->tests++;
-  if (!probe.hit.surface)
-    {
-      return 0;
-    }
-  finish_hit(&probe);
-  return k_dot(probe.hit.N, ray->d) > 0;
-}
-
-/** Whether the ray, whose nearest hit is known, has no way out of something it
-    is in. */
-static int
-is_left(const struct k_scene *scene, const struct k_ray *ray,
-        const struct k_media *m)
-{
-  return ray->hit.surface->medium != m->medium
-    && scene->media[m->medium].is_bounded && !leaves(scene, ray, m->medium);
-}
-
-static int
-any_is_left(const struct k_scene *scene, const struct k_ray *ray)
-{
-  for (const struct k_media *m = ray->media; m; m = m->below)
-    {
-      if (is_left(scene, ray, m))
-        {
-          return 1;
-        }
-    }
-  return 0;
-}
-
-/** Takes those media off the stack: -[ray_t forgetMediaLeft]. What stays is
-    copied to `room`. */
-static void
-forget_media_left(const struct k_scene *scene, struct k_ray *ray,
-                  struct k_media *room)
-{
-  const struct k_media *kept = NULL;
-  struct k_media *last = NULL;
-
-  for (const struct k_media *m = ray->media; m; m = m->below)
-    {
-      if (is_left(scene, ray, m))
-        {
-          ray->counters->escapes++;
-          continue;
-        }
-      *room = *m;
-      room->below = NULL;
-      if (last)
-        {
-          last->below = room;
-        }
-      else
-        {
-          kept = room;
-        }
-      last = room++;
-    }
-  ray->media = kept;
-}
 
 /** A ray from where `ray` has hit something. */
 static inline void
@@ -206,7 +103,7 @@ light_up(const struct k_scene *scene, const struct k_light *light,
       return;
     }
   feelers->counters->feeler += n;
-  find_any(scene, feelers, n);
+  k_find_many(scene, feelers, n, 1);
   for (unsigned j = 0; j < n; j++)
     {
       struct point *p = &points[of[j]];
@@ -267,20 +164,25 @@ static void trace(const struct k_scene *scene, struct k_ray *rays, unsigned n,
 // and what one level takes of the stack may be taken a thousand times.
 #define TOGETHER 16
 
-/** The colours of the next generation. */
-static inline void
+/** The colours of the next generation; 0 when there is none any more. */
+static inline int
 trace_children(const struct k_scene *scene, struct k_ray *children,
                unsigned n, unsigned depth, struct k_vec *colors)
 {
+  if (n == 0 || depth == scene->settings.max_depth)
+    {
+      return 0;
+    }
   if (depth < TOGETHER)
     {
       trace(scene, children, n, depth + 1, colors);
-      return;
+      return 1;
     }
   for (unsigned i = 0; i < n; i++)
     {
       trace(scene, &children[i], 1, depth + 1, &colors[i]);
     }
+  return 1;
 }
 
 /** What comes along the reflected rays of the points that have one. */
@@ -293,19 +195,17 @@ reflect_all(const struct k_scene *scene, struct point *points, unsigned count,
 
   for (unsigned i = 0; i < count; i++)
     {
-      struct point *p = &points[i];
+      const struct point *p = &points[i];
       if (p->is_mirror || p->R > 0)
         {
-          spawn(&children[n], p->ray,
-                shade_renew(shade_reflect(p->ray->d, p->Ns)), 0,
-                p->ray->media);
+          struct k_vec d = shade_renew(shade_reflect(p->ray->d, p->Ns));
+          spawn(&children[n], p->ray, d, 0, p->ray->media);
           of[n++] = i;
         }
     }
-  if (n && depth < scene->settings.max_depth)
+  if (trace_children(scene, children, n, depth, colors))
     {
       children->counters->reflection += n;
-      trace_children(scene, children, n, depth, colors);
       for (unsigned j = 0; j < n; j++)
         {
           points[of[j]].reflected = colors[j];
@@ -323,17 +223,16 @@ refract_all(const struct k_scene *scene, struct point *points, unsigned count,
 
   for (unsigned i = 0; i < count; i++)
     {
-      struct point *p = &points[i];
+      const struct point *p = &points[i];
       if (p->m->alpha > 0 && p->R < 1)
         {
           spawn(&children[n], p->ray, p->t, 1, p->inside);
           of[n++] = i;
         }
     }
-  if (n && depth < scene->settings.max_depth)
+  if (trace_children(scene, children, n, depth, colors))
     {
       children->counters->refraction += n;
-      trace_children(scene, children, n, depth, colors);
       for (unsigned j = 0; j < n; j++)
         {
           points[of[j]].refracted = colors[j];
@@ -365,7 +264,7 @@ static void
 trace_ambient(const struct k_scene *scene, struct k_ray *rays, unsigned n,
               struct k_vec *colors)
 {
-  find_closest(scene, rays, n);
+  k_find_many(scene, rays, n, 0);
   for (unsigned i = 0; i < n; i++)
     {
       const struct k_hit *hit = &rays[i].hit;
@@ -386,7 +285,7 @@ trace(const struct k_scene *scene, struct k_ray *rays, unsigned n,
   unsigned of[n], count = 0;
   int is_clear = 0;
 
-  find_closest(scene, rays, n);
+  k_find_many(scene, rays, n, 0);
   for (unsigned i = 0; i < n; i++)
     {
       struct k_ray *ray = &rays[i];
@@ -449,13 +348,13 @@ trace_eye(const struct k_scene *scene, struct eye_ray *eye, unsigned n,
       k_ray_start(&rays[i], eye[i].o, eye[i].d, media ? media[i] : NULL,
                   counters);
     }
-  if (scene->light_count || scene->has_mirrors || scene->has_clear)
+  if (k_is_plain(scene))
     {
-      trace(scene, rays, n, 0, colors);
+      trace_ambient(scene, rays, n, colors);
     }
   else
     {
-      trace_ambient(scene, rays, n, colors);
+      trace(scene, rays, n, 0, colors);
     }
   for (unsigned i = 0; i < n; i++)
     {
@@ -483,21 +382,6 @@ first_hit(const struct k_scene *scene, struct k_vec o, struct k_vec d,
   return first;
 }
 
-/** k_find_many for who is not compiled with it. */
-static void
-find(const struct k_scene *scene, struct k_ray *rays, unsigned n,
-     int are_feelers)
-{
-  if (are_feelers)
-    {
-      find_any(scene, rays, n);
-    }
-  else
-    {
-      find_closest(scene, rays, n);
-    }
-}
-
 const struct k_isa K_ISA = {
-  K_ISA_NAME, K_CLOSEST, find, trace_eye, first_hit
+  K_ISA_NAME, K_CLOSEST, k_find_many, trace_eye, first_hit
 };
