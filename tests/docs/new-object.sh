@@ -18,7 +18,7 @@ block()
 # A copy of what make needs, with what it has made already.
 mkdir -p "$copy/build/$BUILD" "$copy/tests/docs"
 cp -a "$ROOT"/{GNUmakefile,tools,src} "$copy"
-cp -a "$ROOT"/tests/{support.h,test.h,programs.mk} "$copy/tests"
+cp -a "$ROOT"/tests/{random.h,support.h,test.h,programs.mk} "$copy/tests"
 for made in "$ROOT/build/$BUILD"/*; do
   [ "${made##*/}" = tests ] || cp -a "$made" "$copy/build/$BUILD"
 done
