@@ -5,7 +5,8 @@
 #include <openexr.h>
 
 /** One channel: its name, the AOV it belongs to (0: always there), its type
-    and where its value is in a pixel or, of an AOV, in a surface_pixel. */
+    and where its value is: in a pixel, in a surface_pixel or, of an AOV that
+    needs none, in the picture's plane of this number. */
 struct exr_channel
 {
   const char *name;
@@ -14,7 +15,7 @@ struct exr_channel
   size_t offset;
 };
 
-enum { EXR_CHANNELS = 8 };
+enum { EXR_CHANNELS = 9 };
 
 /** One value as the file holds it: 32 bits of either type. */
 union exr_value

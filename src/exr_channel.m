@@ -13,9 +13,19 @@ static const struct exr_channel channels[EXR_CHANNELS] =
   { "N.Z", AOV_NORMAL, EXR_PIXEL_FLOAT, offsetof(struct surface_pixel, N.z) },
   { "R", 0, EXR_PIXEL_FLOAT, offsetof(struct pixel, color.x) },
   { "Z", AOV_DEPTH, EXR_PIXEL_FLOAT, offsetof(struct surface_pixel, depth) },
+  { "error.truncation", AOV_TRUNCATION, EXR_PIXEL_FLOAT, PLANE_TRUNCATION },
   { "id", AOV_OBJECT, EXR_PIXEL_UINT,
     offsetof(struct surface_pixel, object) }
 };
+
+/** No less than d: a bound stays one. */
+static float
+float_above(double d)
+{
+  float f = d > FLT_MAX ? FLT_MAX : (float)d;
+
+  return f < d && f < FLT_MAX ? nextafterf(f, FLT_MAX) : f;
+}
 
 static float
 float_of(double d)
@@ -51,6 +61,16 @@ exr_channel_fill(union exr_value *values, const struct exr_channel *channel,
   size_t stride = sizeof(struct pixel);
   const char *from = (const char *)[image pixelAt: x : y];
 
+  if (channel->aov && !(channel->aov & AOV_SURFACES))
+    {
+      const double *plane = [image plane: (enum plane)channel->offset
+                                      at: x : y];
+      for (size_t i = 0; i < count; i++)
+        {
+          values[i].number = float_above(plane[i]);
+        }
+      return;
+    }
   if (channel->aov)
     {
       stride = sizeof(struct surface_pixel);

@@ -7,6 +7,9 @@
 //   N.X N.Y N.Z   the outward unit normal in world space; nothing hit: 0
 //   id            uint: the number of the object, from 1 in the order of
 //                 declaration; nothing hit: 0
+//   error.truncation
+//                 the most that rays which were not traced, too deep or of too
+//                 little weight, could change of R, G or B
 //
 // The data window is the part of the picture that is there, the display
 // window is the whole. The same picture always gives the same bytes.
@@ -18,13 +21,17 @@ enum aov
 {
   AOV_DEPTH = 1,
   AOV_NORMAL = 2,
-  AOV_OBJECT = 4
+  AOV_OBJECT = 4,
+  AOV_TRUNCATION = 8
 };
+
+/** Those that need the picture to have surfaces. */
+#define AOV_SURFACES (AOV_DEPTH | AOV_NORMAL | AOV_OBJECT)
 
 @interface exr_t : NSObject
 
 /** The whole file (autoreleased). `aovs` is a sum of enum aov: the image must
-    have surfaces then. `attributes` are strings by name, to be written as
+    have surfaces, or the plane, for them. `attributes` are strings by name, to be written as
     attributes of the header. A number that no float can hold becomes the
     largest one, NaN becomes 0. nil with an NSError in *error when OpenEXR
     fails. */

@@ -182,7 +182,8 @@ write_pixels(exr_context_t file, image_t *image, struct writing *writing)
   exr_context_t file = NULL;
   exr_result_t result, finished;
 
-  NSAssert(aovs == 0 || image->surfaces, @"the image has no surfaces");
+  NSAssert(!(aovs & AOV_SURFACES) || image->surfaces,
+           @"the image has no surfaces");
   writing.count = exr_channels(writing.channels, aovs);
   doors.user_data = &writing;
   doors.write_fn = write_bytes;

@@ -12,6 +12,8 @@ struct eye_ray
 {
   struct k_vec o, d;            // from o along the unit d
   struct k_vec color;           // what comes back along it
+  double error;                 // most that cut branches could change of it,
+                                // of any channel; only if the model asks
 };
 
 #endif

@@ -24,6 +24,14 @@ struct surface_pixel
   uint32_t object;      // number of the object, from 1; 0: nothing
 };
 
+/** One more number for each pixel, if asked for. */
+enum plane
+{
+  PLANE_TRUNCATION,     // most that cut branches of the ray tree could change
+                        // of a channel of the colour
+  PLANES
+};
+
 @interface image_t : NSObject
 {
 @public
@@ -31,6 +39,7 @@ struct surface_pixel
   struct window window;         // the part of it that is here
   struct pixel *pixels;         // (y - y0) * (x1 - x0) + x - x0
   struct surface_pixel *surfaces;       // likewise; NULL unless asked for
+  double *planes[PLANES];       // likewise
 }
 
 /** nil with an NSError in *error when there is not enough memory; every
@@ -40,10 +49,15 @@ struct surface_pixel
    surfaces: (BOOL)withSurfaces
       error: (NSError **)error;
 
+/** Makes room for it, 0 at first; NO with an NSError in *error when there is
+    not enough memory. */
+- (BOOL) addPlane: (enum plane)plane error: (NSError **)error;
+
 - (unsigned) width;     // of the window
 - (unsigned) height;
 - (struct pixel *) pixelAt: (unsigned)x : (unsigned)y;  // whole picture's x, y
 - (struct surface_pixel *) surfaceAt: (unsigned)x : (unsigned)y;
+- (double *) plane: (enum plane)plane at: (unsigned)x : (unsigned)y;
 
 /** Replaces what no file may hold, NaN by 0 and infinity by the largest
     float, in the colours; returns how many numbers were NaN. */

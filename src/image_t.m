@@ -63,8 +63,26 @@ made_finite(double c, NSUInteger *nanCount)
   return self;
 }
 
+- (BOOL) addPlane: (enum plane)plane error: (NSError **)error
+{
+  size_t count = (size_t)[self width] * [self height];
+
+  planes[plane] = calloc(count, sizeof *planes[plane]);
+  if (planes[plane] == NULL && error)
+    {
+      *error = error_saying(STATUS_FILE, @"not enough memory for one more "
+                            @"channel of %u x %u pixels", [self width],
+                            [self height]);
+    }
+  return planes[plane] != NULL;
+}
+
 - (void) dealloc
 {
+  for (enum plane plane = 0; plane < PLANES; plane++)
+    {
+      free(planes[plane]);
+    }
   free(pixels);
   free(surfaces);
   [super dealloc];
@@ -88,6 +106,12 @@ made_finite(double c, NSUInteger *nanCount)
 - (struct surface_pixel *) surfaceAt: (unsigned)x : (unsigned)y
 {
   return surfaces + (size_t)(y - window.y0) * [self width] + (x - window.x0);
+}
+
+- (double *) plane: (enum plane)plane at: (unsigned)x : (unsigned)y
+{
+  return planes[plane] + (size_t)(y - window.y0) * [self width]
+    + (x - window.x0);
 }
 
 - (NSUInteger) makeFinite

@@ -224,7 +224,7 @@
   image = [[image_t alloc] init: model->camera->columns
                                : model->camera->rows
                          window: window
-                       surfaces: settings->aovs != 0
+                       surfaces: (settings->aovs & AOV_SURFACES) != 0
                           error: error];
   if (image == nil)
     {

@@ -6,6 +6,7 @@ enum option_kind
 {
   OPTION_FLAG,          // no value: sets 1
   OPTION_WHOLE,         // `count` whole numbers with `separator` between
+  OPTION_NUMBER,        // a number, or two with a / between: a fraction
   OPTION_WORD,          // one of `words`: sets its place, from 0
   OPTION_WORDS,         // some of `words` with commas: sets a sum of bits
   OPTION_TEXT,          // any text but none
@@ -22,11 +23,14 @@ struct option
   enum option_kind kind;
   size_t offset;        // in struct settings
   const char *words;
-  uint64_t least, most; // of each number
+  uint64_t least, most; // of each whole number
+  double low, high;     // of OPTION_NUMBER
+  BOOL is_above_low;    // which may not be low itself
   unsigned count;       // of numbers
   char separator;
   uint64_t standard;    // what holds when it is not given; out of range:
                         // there is nothing to tell of it
+  double usual;         // the same for OPTION_NUMBER
   BOOL is_shaping;      // a picture depends on it
   BOOL may_be_bare;     // its value may be left out: the second word holds
 };

@@ -2,6 +2,8 @@
 
 #import "option.h"
 #import "diag_t.h"
+#include "number.h"
+#include <ctype.h>
 #include <errno.h>
 #include <stdlib.h>
 
@@ -41,6 +43,10 @@ option_reset(struct settings *settings)
       if (o->kind == OPTION_WORD || o->kind == OPTION_WHOLE)
         {
           *(uint64_t *)place(o, settings) = o->standard;
+        }
+      else if (o->kind == OPTION_NUMBER)
+        {
+          *(double *)place(o, settings) = o->usual;
         }
     }
 }
@@ -87,6 +93,38 @@ read_wholes(const struct option *option, NSString *value, uint64_t *numbers)
 }
 
 static BOOL
+is_in_range(const struct option *option, double number)
+{
+  return number <= option->high
+    && (option->is_above_low ? number > option->low : number >= option->low);
+}
+
+/** As in a model file, or two such with a / between. */
+static BOOL
+read_number(const struct option *option, NSString *value, double *number)
+{
+  NSArray *words = [value componentsSeparatedByString: @"/"];
+  locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+  double read[2] = { 0, 1 };
+  BOOL isGood = [words count] <= 2;
+
+  for (NSUInteger i = 0; isGood && i < [words count]; i++)
+    {
+      const char *word = [[words objectAtIndex: i] UTF8String];
+      isGood = !isspace((unsigned char)*word)
+        && number_read(word, strlen(word), c, &read[i]) == NUMBER_GOOD;
+    }
+  freelocale(c);
+  double quotient = read[0] / read[1];
+  if (!isGood || !is_in_range(option, quotient))
+    {
+      return NO;
+    }
+  *number = quotient + 0.0;     // -0 is 0
+  return YES;
+}
+
+static BOOL
 read_words(const struct option *option, NSString *value, uint64_t *bits)
 {
   *bits = 0;
@@ -118,6 +156,8 @@ read_value(const struct option *option, NSString *value,
       return YES;
     case OPTION_WHOLE:
       return read_wholes(option, value, number);
+    case OPTION_NUMBER:
+      return read_number(option, value, place(option, settings));
     case OPTION_WORD:
       word = [words_of(option) indexOfObject: value];
       if (word != NSNotFound)
@@ -137,6 +177,17 @@ read_value(const struct option *option, NSString *value,
   return NO;
 }
 
+static NSString *
+number_text(double number)
+{
+  locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+  char text[32];
+
+  number_write(number, c, text);
+  freelocale(c);
+  return [NSString stringWithUTF8String: text];
+}
+
 /** What the option takes. */
 static NSString *
 expected(const struct option *option)
@@ -152,6 +203,13 @@ expected(const struct option *option)
                        option->count == 1 ? "" : ", whole numbers",
                        (unsigned long long)option->least,
                        (unsigned long long)option->most];
+    case OPTION_NUMBER:
+      return [NSString stringWithFormat: @"a number %s %@ %s %@, or a"
+                       @" fraction such as 1/255",
+                       option->is_above_low ? "above" : "from",
+                       number_text(option->low),
+                       option->is_above_low ? "up to" : "to",
+                       number_text(option->high)];
     case OPTION_WORD:
       return [@"one of " stringByAppendingString: words];
     case OPTION_WORDS:
@@ -210,6 +268,11 @@ option_value(const struct option *option, const struct settings *settings)
   if (option->kind == OPTION_WORD)
     {
       return [words_of(option) objectAtIndex: numbers[0]];
+    }
+  if (option->kind == OPTION_NUMBER)
+    {
+      double number = *(double *)place(option, settings);
+      return is_in_range(option, number) ? number_text(number) : nil;
     }
   if (option->kind != OPTION_WHOLE || numbers[0] < option->least
       || numbers[0] > option->most)
