@@ -2,6 +2,8 @@
 
 #import "stats_t.h"
 #include "clock.h"
+#include "number.h"
+#include <float.h>
 #include <inttypes.h>
 
 static const char *const phase_names[PHASES] = {
@@ -38,6 +40,34 @@ text_of(double number)
   mark = now;
 }
 
+- (void) errorsOf: (image_t *)image
+{
+  const double *errors = image->planes[PLANE_TRUNCATION];
+  size_t count = (size_t)[image width] * [image height];
+  double sum = 0;
+
+  has_truncation = errors != NULL;
+  for (size_t i = 0; errors && i < count; i++)
+    {
+      truncation_most = MAX(truncation_most, errors[i]);
+      sum += errors[i];
+    }
+  truncation_mean = sum / count;
+}
+
+/** A number that may be infinite (autoreleased): as JSON has none, the largest
+    double stands for it. */
+static NSString *
+error_text_of(double error)
+{
+  char text[32];
+  locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+
+  number_write(MIN(error, DBL_MAX), c, text);
+  freelocale(c);
+  return [NSString stringWithUTF8String: text];
+}
+
 /** 0 when nothing was traced. */
 - (double) perRay: (uint64_t)count
 {
@@ -70,6 +100,11 @@ text_of(double number)
   [text appendFormat: @"tests      %16" PRIu64 "\n", c->tests];
   [text appendFormat: @"escapes    %16" PRIu64 "\n", c->escapes];
   [text appendFormat: @"speed      %16.0f rays/s\n", [self raysPerSecond]];
+  if (has_truncation)
+    {
+      [text appendFormat: @"truncation %16@ at most, mean %@\n",
+            error_text_of(truncation_most), error_text_of(truncation_mean)];
+    }
   if (scene.isa)
     {
       [text appendFormat: @"nodes      %16@ per ray\n",
@@ -108,6 +143,12 @@ text_of(double number)
             text_of([self perRay: c->nodes]),
             text_of([self perRay: c->tests]), scene.nodes, scene.depth,
             text_of(scene.cost), scene.bytes, scene.isa];
+    }
+  if (has_truncation)
+    {
+      [json appendFormat: @", \"error\": {\"truncation\": {\"most\": %@,"
+            @" \"mean\": %@}}", error_text_of(truncation_most),
+            error_text_of(truncation_mean)];
     }
   [json appendString: @"}\n"];
   return json;
