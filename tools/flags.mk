@@ -21,6 +21,10 @@ else ifneq ($(filter gcc-% clang-%,$(BUILD)),)
   parts := $(subst -, ,$(BUILD))
   CC = $(if $(filter clang,$(word 1,$(parts))),clang-16,gcc)
   OPT = -$(word 2,$(parts)) $(if $(filter v3,$(parts)),-march=x86-64-v3)
+else ifeq ($(BUILD),fuzz)
+  CC = clang-16
+  OPT = -O1 -fno-omit-frame-pointer
+  SANITIZE = fuzzer-no-link,address,undefined
 endif
 
 ifeq ($(origin CC),default)

@@ -1,11 +1,13 @@
 // exrcompare.c - whether two OpenEXR pictures hold the same pixels.
 // usage: exrcompare EXPECTED FOUND [DIFFERENCE.ppm]
+//        exrcompare --pixels PICTURE
 //
 // What is compared is every channel of every pixel, bit for bit, after it
 // has been unpacked: a NaN equals a NaN of the same bits only, and 0 is not
 // -0. Says what differs; the difference picture has the expected one on the
 // left, the one found in the middle, and on the right white where any channel
-// differs. Exit status: 0 the same, 1 not, 2 a file that cannot be read.
+// differs. --pixels writes all values to standard output, 32 bits each, channel
+// after channel. Exit status: 0 the same, 1 not, 2 a file that cannot be read.
 
 #include <openexr.h>
 #include <math.h>
@@ -327,9 +329,30 @@ write_difference(const struct picture *expected, const struct picture *found,
     }
 }
 
+static int
+write_pixels(const char *path)
+{
+  struct picture picture = read_picture(path);
+  size_t count = (size_t)picture.width * picture.height;
+
+  for (int c = 0; c < picture.count; c++)
+    {
+      if (fwrite(picture.channels[c].values, 4, count, stdout) != count)
+        {
+          fail(&picture, "cannot be written");
+        }
+    }
+  release(&picture);
+  return fflush(stdout) ? 2 : 0;
+}
+
 int
 main(int argc, char **argv)
 {
+  if (argc == 3 && strcmp(argv[1], "--pixels") == 0)
+    {
+      return write_pixels(argv[2]);
+    }
   if (argc < 3 || argc > 4)
     {
       fprintf(stderr, "usage: exrcompare EXPECTED FOUND [DIFFERENCE.ppm]\n");

@@ -36,6 +36,14 @@ while read -r scene; do
     is_golden "$scene" "$ROOT/tests/golden/${name%.mdl}.exr"
 done < <(scene_files)
 
+# The hashes that other compilers are compared with are of these pictures.
+while read -r sum name; do
+  is=$("$compare" --pixels "$ROOT/tests/golden/${name%.mdl}.exr" | sha256sum)
+  same "${is%% *}" "$sum" "SHA256SUMS has $name"
+done <"$ROOT/tests/golden/SHA256SUMS"
+same "$(wc -l <"$ROOT/tests/golden/SHA256SUMS")" "$(scene_files | wc -l)" \
+  "and all scenes"
+
 strays=
 for golden in "$ROOT"/tests/golden/*.exr; do
   name=${golden##*/}
