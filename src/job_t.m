@@ -133,6 +133,11 @@
     {
       camera->exposure = (unsigned)settings->exposure;
     }
+  if (settings->no_depth_of_field && camera->has_lens)
+    {
+      camera->has_lens = NO;
+      camera->exposure = 1;
+    }
   *window = (struct window){ 0, 0, camera->columns, camera->rows };
   if (crop[0] == NO_CROP)
     {
@@ -205,6 +210,17 @@
   return (unsigned)settings->aovs | (is_cut ? AOV_TRUNCATION : 0);
 }
 
+- (struct shade_choice) choice
+{
+  const struct settings *settings = &options->settings;
+  struct shade_choice choice = {
+    settings->fresnel == 1, settings->no_shadows == 1,
+    settings->no_reflection == 1, settings->no_refraction == 1
+  };
+
+  return choice;
+}
+
 /** Tells the model which branches of the ray tree it may do without, and what
     they might be worth. */
 - (void) setCut
@@ -240,6 +256,7 @@
     {
       return NO;
     }
+  model->choice = [self choice];
   fast_t *engine = [self newFastEngine: error];
   if (engine == nil)
     {
@@ -272,6 +289,7 @@
       return NO;
     }
   [self setCut];
+  model->choice = [self choice];
   id <engine_t> engine = [self newEngine: error];
   if (engine == nil)
     {

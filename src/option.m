@@ -269,6 +269,10 @@ option_value(const struct option *option, const struct settings *settings)
     {
       return [words_of(option) objectAtIndex: numbers[0]];
     }
+  if (option->kind == OPTION_FLAG)
+    {
+      return numbers[0] ? @"" : nil;
+    }
   if (option->kind == OPTION_NUMBER)
     {
       double number = *(double *)place(option, settings);

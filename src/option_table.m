@@ -60,6 +60,21 @@ const struct option option_table[] = {
     .help = "trace only as many of them as it takes for no channel of a pixel"
             " to be off by more than E from the picture of 20 generations, or of"
             " --max-depth; writes error.truncation too" },
+  { .name = "fresnel", .value = "WORD", .kind = OPTION_WORD,
+    .offset = AT(fresnel), .words = "schlick exact", .is_shaping = YES,
+    .help = "how much clear surfaces reflect: schlick, the notes'"
+            " approximation, or exact, by Fresnel's equations" },
+  { .name = "no-shadows", .kind = OPTION_FLAG, .offset = AT(no_shadows),
+    .is_shaping = YES, .help = "send no shadow feelers: all lights reach" },
+  { .name = "no-reflection", .kind = OPTION_FLAG,
+    .offset = AT(no_reflection), .is_shaping = YES,
+    .help = "trace no reflected rays: what they bring back is black" },
+  { .name = "no-refraction", .kind = OPTION_FLAG,
+    .offset = AT(no_refraction), .is_shaping = YES,
+    .help = "trace no refracted rays: what they bring back is black" },
+  { .name = "no-depth-of-field", .kind = OPTION_FLAG,
+    .offset = AT(no_depth_of_field), .is_shaping = YES,
+    .help = "make the lens a pinhole" },
   { .name = "polygon-test", .value = "WORD", .kind = OPTION_WORD,
     .offset = AT(polygon_test), .words = "crossings edges angles",
     .is_shaping = YES,

@@ -50,6 +50,8 @@ struct settings
   uint64_t aovs;                // sum of enum aov
   uint64_t seed, samples, sampler, exposure;    // exposure 0: the model's
   uint64_t max_depth, polygon_test, engine, isa;
+  uint64_t fresnel;             // 1: exact
+  uint64_t no_shadows, no_reflection, no_refraction, no_depth_of_field;
   double min_weight, max_error; // less than 0: not given
   uint64_t threads;             // 0: all cores
   NSMutableArray *includes;     // folders, in the order given

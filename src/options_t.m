@@ -271,7 +271,10 @@ is_square(uint64_t n)
       if (value)
         {
           [words addObject: option_name(o)];
-          [words addObject: value];
+          if (o->kind != OPTION_FLAG)
+            {
+              [words addObject: value];
+            }
         }
     }
   return [words componentsJoinedByString: @" "];

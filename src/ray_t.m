@@ -171,21 +171,30 @@
     {
       return NO;
     }
+  *e = shade_falloff(light->emissivity, r, light->falloff);
+  if (model->choice.no_shadows)
+    {
+      return YES;
+    }
   ray_t *feeler = [(ray_t *)[ray_t alloc] initFeeler: P : [vec_t vec: *L] : r
                                                 from: self to: light];
   counters->feeler++;
   [model find_closest: feeler];
   BOOL is_lit = feeler->hit.object == nil;
   [feeler release];
-  *e = shade_falloff(light->emissivity, r, light->falloff);
   return is_lit;
 }
 
-/** Whether a ray that would be spawned is not worth it; if not, *branch is
+/** Whether a ray that would be spawned is not wanted, or not worth it; if not, *branch is
     what it is as a branch. */
 - (BOOL) cuts: (enum cut_which)which of: (const struct cut_pair *)pair
            in: (model_t *)model as: (struct cut *)branch
 {
+  if (which == CUT_REFLECTED ? model->choice.no_reflection
+      : model->choice.no_refraction)
+    {
+      return YES;
+    }
   return model->cut.is_on
     && cut_is(&model->cut, &cut, pair, which, depth == model->max_depth,
               branch);
@@ -230,7 +239,7 @@
 /** The refracted direction at the hit point, straight on for a thin sheet;
     *inside is what the ray is in after it and *R how much is reflected. */
 - (vec_t *) refractAt: (vec_t *)Ns inside: (media_t **)inside
-          reflectance: (double *)R
+          reflectance: (double *)R of: (model_t *)model
 {
   object_t *medium = [hit.object medium];
   double ior = hit.object->material->ior;
@@ -251,7 +260,9 @@
       n_t = [media_t ior: *inside];
     }
   struct k_vec T = shade_refract(dir->v, Ns->v, n_t / n_i, &tir);
-  *R = tir ? 1 : shade_schlick(dir->v, Ns->v, T, n_i, n_t);
+  *R = tir ? 1 : model->choice.exact_fresnel
+    ? shade_fresnel(dir->v, Ns->v, T, n_i, n_t)
+    : shade_schlick(dir->v, Ns->v, T, n_i, n_t);
   return medium && n_i != n_t ? [vec_t vec: shade_renew(T)] : dir;
 }
 
@@ -308,7 +319,7 @@
 
   if (m->alpha > 0)
     {
-      t = [self refractAt: Ns inside: &inside reflectance: &R];
+      t = [self refractAt: Ns inside: &inside reflectance: &R of: model];
     }
   if (model->cut.is_on)
     {

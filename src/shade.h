@@ -10,6 +10,15 @@
 #include "kernel/k_vec.h"
 #include "power.h"
 
+/** What of the formulas is wanted. All 0: everything, as the notes have it. */
+struct shade_choice
+{
+  int exact_fresnel;    // shade_fresnel in place of shade_schlick
+  int no_shadows;       // no feelers: light goes through everything
+  int no_reflection;    // what reflected rays bring back is black
+  int no_refraction;    // and what refracted ones do
+};
+
 /** Notes, "ray objectification": the mirrored direction D - 2 (D.N) N.
     D runs towards the surface, N is unit; either side of N will do. */
 static inline struct k_vec
@@ -101,6 +110,25 @@ shade_schlick(struct k_vec D, struct k_vec N, struct k_vec T,
   double m2 = m * m;
 
   return R0 + (1 - R0) * (m2 * m2 * m);
+}
+
+/** What Schlick's formula stands for: Fresnel's equations for light that is not
+    polarised, the mean of how much of it is reflected that swings across the
+    plane of incidence and in it (Born and Wolf, "Principles of Optics",
+    1.5.2). */
+static inline double
+shade_fresnel(struct k_vec D, struct k_vec N, struct k_vec T,
+              double n_i, double n_t)
+{
+  double c_i = -k_dot(D, N), c_t = -k_dot(T, N);
+
+  if (n_i == n_t)
+    {
+      return 0;
+    }
+  double across = (n_i * c_i - n_t * c_t) / (n_i * c_i + n_t * c_t);
+  double in = (n_t * c_i - n_i * c_t) / (n_t * c_i + n_i * c_t);
+  return 0.5 * (across * across + in * in);
 }
 
 /** a / b for a colour a and a length b >= 0. A quotient past the largest

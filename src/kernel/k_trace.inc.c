@@ -104,8 +104,11 @@ light_up(const struct k_scene *scene, const struct k_light *light,
     {
       return;
     }
-  feelers->counters->feeler += n;
-  k_find_many(scene, feelers, n, 1);
+  if (!scene->settings.choice.no_shadows)
+    {
+      feelers->counters->feeler += n;
+      k_find_many(scene, feelers, n, 1);
+    }
   for (unsigned j = 0; j < n; j++)
     {
       struct point *p = &points[of[j]];
@@ -155,7 +158,9 @@ refract(const struct k_scene *scene, struct point *p, struct k_media *room)
       n_t = p->inside ? p->inside->ior : 1;
     }
   struct k_vec T = shade_refract(ray->d, p->Ns, n_t / n_i, &tir);
-  p->R = tir ? 1 : shade_schlick(ray->d, p->Ns, T, n_i, n_t);
+  p->R = tir ? 1 : scene->settings.choice.exact_fresnel
+    ? shade_fresnel(ray->d, p->Ns, T, n_i, n_t)
+    : shade_schlick(ray->d, p->Ns, T, n_i, n_t);
   p->t = medium && n_i != n_t ? shade_renew(T) : ray->d;
 }
 
@@ -371,8 +376,11 @@ trace_either(const struct k_scene *scene, struct k_ray *rays, unsigned n,
       cut_pair(&p->pair, &scene->settings.cut, p->cut, p->m->specular,
                p->m->alpha, p->R, depth + 1, p->ray->dis);
     }
-  reflect_all(scene, points, count, depth, children, of, cuts != NULL);
-  if (is_clear)
+  if (!scene->settings.choice.no_reflection)
+    {
+      reflect_all(scene, points, count, depth, children, of, cuts != NULL);
+    }
+  if (is_clear && !scene->settings.choice.no_refraction)
     {
       refract_all(scene, points, count, depth, children, of, cuts != NULL);
     }

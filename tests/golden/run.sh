@@ -41,7 +41,7 @@ while read -r sum name; do
   is=$("$compare" --pixels "$ROOT/tests/golden/${name%.mdl}.exr" | sha256sum)
   same "${is%% *}" "$sum" "SHA256SUMS has $name"
 done <"$ROOT/tests/golden/SHA256SUMS"
-same "$(wc -l <"$ROOT/tests/golden/SHA256SUMS")" "$(scene_files | wc -l)" \
+same "$(wc -l <"$ROOT/tests/golden/SHA256SUMS")" "$(find "$ROOT/tests/golden" -name '*.exr' | wc -l)" \
   "and all scenes"
 
 strays=
