@@ -31,9 +31,11 @@ const struct option option_table[] = {
     .offset = AT(samples), .count = 1, .least = 1, .most = MILLION,
     .standard = 1, .is_shaping = YES, .help = "rays through each pixel" },
   { .name = "sampler", .value = "WORD", .kind = OPTION_WORD,
-    .offset = AT(sampler), .words = "random grid", .is_shaping = YES,
-    .help = "where in a pixel they go, for more than one: random, or grid"
-            " (N is 4, 9, 16 ...)" },
+    .offset = AT(sampler), .words = "owen random stratified grid",
+    .is_shaping = YES,
+    .help = "where in a pixel and on the lens rays go: owen, spread evenly;"
+            " random, as in the notes; stratified, one in each of N parts;"
+            " grid (N is 1, 4, 9 ...), regular, and random on the lens" },
   { .name = "exposure", .value = "N", .kind = OPTION_WHOLE,
     .offset = AT(exposure), .count = 1, .least = 1, .most = 1000 * MILLION,
     .is_shaping = YES,

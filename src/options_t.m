@@ -3,6 +3,7 @@
 #import "options_t.h"
 #import "diag_t.h"
 #import "option.h"
+#include "ray_places.h"
 #include "attribute_check.h"
 #include <string.h>
 #include <sys/stat.h>
@@ -204,7 +205,7 @@ is_square(uint64_t n)
     {
       return @"option '--crop' takes X0,Y0,X1,Y1 with X0 < X1 and Y0 < Y1";
     }
-  if (settings.sampler == 1 && !is_square(settings.samples))
+  if (settings.sampler == SAMPLER_GRID && !is_square(settings.samples))
     {
       return [NSString stringWithFormat: @"sampler grid takes a square number "
                        @"of samples (1, 4, 9, 16 ...), not %llu",

@@ -4,14 +4,7 @@
 
 #import <Foundation/Foundation.h>
 #import "engine_t.h"
-
-@class camera_t;
-
-enum sampler
-{
-  SAMPLER_RANDOM,       // the notes' rand(), seeded
-  SAMPLER_GRID          // n x n, regular
-};
+#include "ray_places.h"
 
 struct render_options
 {

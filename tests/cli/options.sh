@@ -92,9 +92,11 @@ for bad in 0,0,9,6 0,0,8,7 8,0,9,6; do
   wrong "option '--crop' goes beyond the picture of 8 x 6 pixels" \
     --crop $bad pin.mdl -o x.exr
 done
-wrong "option '--sampler' takes one of random, grid, not 'gird'; \
+wrong "option '--sampler' takes one of owen, random, \
+stratified, grid, not 'gird'; \
 did you mean 'grid'?" --sampler gird
-wrong "option '--sampler' takes one of random, grid, not 'sobol'" \
+wrong "option '--sampler' takes one of owen, random, \
+stratified, grid, not 'sobol'" \
   --sampler sobol
 wrong "option '--engine' takes one of fast, notes, not 'slow'" --engine slow
 wrong "option '--isa' takes one of best, avx2, base, not 'sse9'" --isa sse9
@@ -149,6 +151,8 @@ right --max-depth=1000 pin.mdl
 right --samples 3 pin.mdl
 right --samples 9 --sampler grid pin.mdl
 right --sampler random pin.mdl
+right --sampler owen --samples 3 lens.mdl
+right --sampler stratified --samples 3 lens.mdl
 right --exposure 3 lens.mdl
 right --crop 0,0,8,6 pin.mdl
 right --crop 7,5,8,6 pin.mdl
