@@ -16,6 +16,7 @@
 #import "ppm_t.h"
 #import "progress_t.h"
 #import "sha256.h"
+#include "batches.h"
 #include "version.h"
 #include <unistd.h>
 
@@ -187,7 +188,12 @@
     .threads = [self threads],
     .seed = settings->seed,
     .samples = (unsigned)settings->samples,
-    .sampler = (enum sampler)settings->sampler
+    .sampler = (enum sampler)settings->sampler,
+    .noise = settings->noise,
+    .errors = student_quantile(settings->confidence > 0
+                               ? settings->confidence : 0.95, BATCHES - 1),
+    .max_samples = settings->max_samples ? (unsigned)settings->max_samples
+    : 65536
   };
 
   return how;
@@ -230,6 +236,12 @@
     {
       return NO;
     }
+  if (settings->noise > 0
+      && !([image addPlane: PLANE_SAMPLING error: error]
+           && [image addPlane: PLANE_SAMPLES error: error]))
+    {
+      return NO;
+    }
   id <engine_t> engine = [self newEngine: error];
   if (engine == nil)
     {
@@ -255,6 +267,10 @@
   [render release];
   [engine release];
   nanCount = [image makeFinite];
+  if (settings->noise > 0)
+    {
+      stats->noise = noise_facts_of(image, settings->noise);
+    }
   [stats ended: PHASE_TRACE];
   return YES;
 }
@@ -273,6 +289,7 @@
 
   return [exr_t fileOf: image
                   aovs: (unsigned)options->settings.aovs
+          | (options->settings.noise > 0 ? AOV_SAMPLING | AOV_SAMPLES : 0)
             attributes: attributes
                  error: error];
 }

@@ -41,6 +41,20 @@ const struct option option_table[] = {
     .is_shaping = YES,
     .help = "rays through the lens for each sample, in place of the"
             " camera's exposure" },
+  { .name = "noise", .value = "E", .kind = OPTION_NUMBER,
+    .offset = AT(noise), .low = 0, .high = 1e9, .is_above_low = YES,
+    .is_shaping = YES,
+    .help = "as many rays through each pixel, and through the lens, as make"
+            " its error at most E; an .exr then has the channels"
+            " error.sampling and samples" },
+  { .name = "confidence", .value = "C", .kind = OPTION_NUMBER,
+    .offset = AT(confidence), .low = 0.5, .high = 0.9999, .is_shaping = YES,
+    .help = "the share of pixels whose error is at most what --noise states,"
+            " 0.95 unless given" },
+  { .name = "max-samples", .value = "N", .kind = OPTION_WHOLE,
+    .offset = AT(max_samples), .count = 1, .least = 36, .most = 1000 * MILLION,
+    .is_shaping = YES,
+    .help = "most rays through a pixel with --noise, 65536 unless given" },
   { .name = "seed", .value = "N", .kind = OPTION_WHOLE, .offset = AT(seed),
     .count = 1, .most = UINT64_MAX,
     .help = "another seed, other random numbers" },

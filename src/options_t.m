@@ -211,6 +211,22 @@ is_square(uint64_t n)
                        @"of samples (1, 4, 9, 16 ...), not %llu",
                        (unsigned long long)settings.samples];
     }
+  if (settings.noise > 0 && (settings.samples > 1 || settings.exposure))
+    {
+      return @"option '--noise' finds the number of rays itself: without"
+        @" '--samples' and '--exposure'";
+    }
+  if (settings.noise > 0 && settings.sampler != SAMPLER_OWEN
+      && settings.sampler != SAMPLER_RANDOM)
+    {
+      return @"option '--noise' takes the samplers owen and random";
+    }
+  if (settings.noise == 0 && (settings.confidence > 0 || settings.max_samples))
+    {
+      return [NSString stringWithFormat: @"option '%s' needs '--noise'",
+                       settings.max_samples ? "--max-samples"
+                       : "--confidence"];
+    }
   if (settings.check || settings.format_scene || settings.plan)
     {
       return nil;

@@ -96,7 +96,6 @@ add_all(const render_t *self, struct pixel *pixel, struct sample sample,
     }
 }
 
-/** Where rays go, of no pixel yet. */
 - (struct ray_places) places
 {
   unsigned exposure = camera->exposure;
@@ -126,13 +125,6 @@ add_all(const render_t *self, struct pixel *pixel, struct sample sample,
       for (unsigned x = w.x0; x < w.x1; x++)
         {
           struct sample sample = { .column = x, .row = image->rows - 1 - y };
-          if (image->surfaces)
-            {
-              // Through the middle of the pixel and of the lens.
-              struct k_vec o, d;
-              [camera centralRay: sample pos: &o dir: &d];
-              *[image surfaceAt: x : y] = [engine surfaceAt: o : d];
-            }
           struct pixel *pixel = row + (x - w.x0);
           // Written before it is read: a page of the picture that is read first
           // comes twice, and stops the other threads when it is written.
@@ -151,6 +143,21 @@ add_all(const render_t *self, struct pixel *pixel, struct sample sample,
     }
 }
 
+/** What the rays through the middle of each pixel and of the lens hit. */
+- (void) surfacesOf: (struct window)w
+{
+  for (unsigned y = w.y0; y < w.y1; y++)
+    {
+      for (unsigned x = w.x0; x < w.x1; x++)
+        {
+          struct sample sample = { .column = x, .row = image->rows - 1 - y };
+          struct k_vec o, d;
+          [camera centralRay: sample pos: &o dir: &d];
+          *[image surfaceAt: x : y] = [engine surfaceAt: o : d];
+        }
+    }
+}
+
 /** A tile, in blocks whose rays go much the same way. */
 - (void) tile: (unsigned)tile counters: (struct counters *)count
 {
@@ -165,7 +172,18 @@ add_all(const render_t *self, struct pixel *pixel, struct sample sample,
         {
           struct window block = { x, y, MIN(x + ACROSS, x1),
                                   MIN(y + DOWN, y1) };
-          [self pixelsOf: block counters: count];
+          if (image->surfaces)
+            {
+              [self surfacesOf: block];
+            }
+          if (options.noise > 0)
+            {
+              [self adaptivePixelsOf: block counters: count];
+            }
+          else
+            {
+              [self pixelsOf: block counters: count];
+            }
         }
     }
 }

@@ -4,6 +4,7 @@
 #import <Foundation/Foundation.h>
 #include "counters.h"
 #include "kernel/k.h"
+#import "noise_facts.h"
 
 enum phase
 {
@@ -20,6 +21,7 @@ enum phase
   double seconds[PHASES];
   struct counters counters;
   struct k_facts scene; // of the fast engine; isa NULL: there is none
+  struct noise_facts noise;     // of --noise; pixels 0: there is none
 @protected
   double mark;          // when the last phase ended
 }
@@ -35,7 +37,9 @@ enum phase
     "rays": {"eye": …, "reflection": …, "refraction": …, "feeler": …},
     "tests": …, "escapes": …, "rays_per_second": …}, and of the fast engine
     "nodes": …, "nodes_per_ray": …, "tests_per_ray": …, "tree": {"nodes": …,
-    "depth": …, "cost": …, "bytes": …, "isa": "…"} */
+    "depth": …, "cost": …, "bytes": …, "isa": "…"}, and with --noise
+    "noise": {"pixels": …, "rays": …, "largest": …, "rms": …,
+    "capped": …} */
 - (NSString *) json;
 
 @end

@@ -80,6 +80,18 @@ text_of(double number)
             scene.nodes, scene.depth, text_of(scene.cost)];
       [text appendFormat: @"scene      %16zu bytes\n", scene.bytes];
     }
+  if (noise.pixels)
+    {
+      [text appendFormat: @"noise      %16" PRIu64 " pixels\n", noise.pixels];
+      [text appendFormat: @"           %16" PRIu64 " rays through them\n",
+            noise.rays];
+      [text appendFormat: @"           %16.6g largest stated error\n",
+            noise.largest];
+      [text appendFormat: @"           %16.6g root of their mean square\n",
+            noise.rms];
+      [text appendFormat: @"           %16" PRIu64 " pixels above the limit\n",
+            noise.capped];
+    }
   return text;
 }
 
@@ -108,6 +120,13 @@ text_of(double number)
             text_of([self perRay: c->nodes]),
             text_of([self perRay: c->tests]), scene.nodes, scene.depth,
             text_of(scene.cost), scene.bytes, scene.isa];
+    }
+  if (noise.pixels)
+    {
+      [json appendFormat: @", \"noise\": {\"pixels\": %" PRIu64
+            @", \"rays\": %" PRIu64 @", \"largest\": %.9g, \"rms\": %.9g,"
+            @" \"capped\": %" PRIu64 "}", noise.pixels, noise.rays,
+            noise.largest, noise.rms, noise.capped];
     }
   [json appendString: @"}\n"];
   return json;
