@@ -133,7 +133,7 @@ typedef BOOL (*compile_t)(id, SEL, compiler_t *);
               k_add_light(scene, &light);
             }
           struct k_settings settings = {
-            model->background, model->max_depth, threads,
+            model->background, model->max_depth, model->cut, threads,
             [instructions UTF8String]
           };
           switch (k_scene_finish(scene, settings))

@@ -41,6 +41,11 @@ compare(void *context, unsigned i, unsigned j)
   return NO;
 }
 
+- (double) distanceFrom: (struct k_vec)P
+{
+  return fabs(k_dot(plane.n, k_sub(P, plane.q)));
+}
+
 - (double) extent
 {
   [self doesNotRecognizeSelector: _cmd];

@@ -5,7 +5,7 @@
 #import "options_t.h"
 #import "stats_t.h"
 
-@class diag_t, image_t, model_t, outfile_t;
+@class brightest_t, diag_t, image_t, model_t, outfile_t;
 
 @interface job_t : NSObject
 {
@@ -20,6 +20,7 @@
   NSString *text;  // what to write in place of a picture
   NSString *sceneHash;
   image_t *image;
+  brightest_t *brightest;       // model->cut's
 }
 
 - (id) init: (options_t *)options;

@@ -1,6 +1,7 @@
 // job_t.m
 
 #import "job_t.h"
+#import "brightest_t.h"
 #import "camera_t.h"
 #import "diag_t.h"
 #import "errors.h"
@@ -43,6 +44,7 @@
   [model release];
   [text release];
   [sceneHash release];
+  [brightest release];
   [image release];
   [super dealloc];
 }
@@ -199,6 +201,44 @@
   return how;
 }
 
+/** The channels of the file beside its colour: a knob that leaves an error
+    brings its own. */
+- (unsigned) aovs
+{
+  const struct settings *settings = &options->settings;
+  BOOL is_cut = settings->min_weight >= 0 || settings->max_error > 0;
+
+  return (unsigned)settings->aovs | (is_cut ? AOV_TRUNCATION : 0)
+    | (settings->noise > 0 ? AOV_SAMPLING | AOV_SAMPLES : 0);
+}
+
+/** Tells the model which branches of the ray tree it may do without, and what
+    they might be worth. */
+- (void) setCut
+{
+  const struct settings *settings = &options->settings;
+  BOOL is_bound = settings->max_error > 0;
+  struct cut_rule *cut = &model->cut;
+
+  cut->is_on = ([self aovs] & AOV_TRUNCATION) != 0;
+  if (!cut->is_on)
+    {
+      return;
+    }
+  if (is_bound && ![options isGiven: "max-depth"])
+    {
+      model->max_depth = CUT_BOUND_GENERATIONS;
+    }
+  cut->generations = is_bound || model->max_depth > CUT_GENERATIONS
+    ? model->max_depth : CUT_GENERATIONS;
+  cut->min_weight = settings->min_weight;
+  cut->max_error = is_bound ? settings->max_error : -1;
+  brightest = [[brightest_t alloc] initWithModel: model
+                                     generations: cut->generations];
+  cut->most = brightest->most;
+  cut->most_count = brightest->count;
+}
+
 - (BOOL) plan: (NSError **)error
 {
   struct window window;
@@ -232,7 +272,9 @@
                          window: window
                        surfaces: (settings->aovs & AOV_SURFACES) != 0
                           error: error];
-  if (image == nil)
+  if (image == nil
+      || (([self aovs] & AOV_TRUNCATION)
+          && ![image addPlane: PLANE_TRUNCATION error: error]))
     {
       return NO;
     }
@@ -242,6 +284,7 @@
     {
       return NO;
     }
+  [self setCut];
   id <engine_t> engine = [self newEngine: error];
   if (engine == nil)
     {
@@ -271,6 +314,7 @@
     {
       stats->noise = noise_facts_of(image, settings->noise);
     }
+  [stats errorsOf: image];
   [stats ended: PHASE_TRACE];
   return YES;
 }
@@ -288,8 +332,7 @@
                   sceneHash, @"raytrace:sceneSHA256", nil];
 
   return [exr_t fileOf: image
-                  aovs: (unsigned)options->settings.aovs
-          | (options->settings.noise > 0 ? AOV_SAMPLING | AOV_SAMPLES : 0)
+                  aovs: [self aovs]
             attributes: attributes
                  error: error];
 }

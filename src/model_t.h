@@ -4,6 +4,7 @@
 #import <Foundation/Foundation.h>
 #import "object_t.h"
 #import "media_t.h"
+#include "cut.h"
 #include "eye_ray.h"
 
 @class camera_t, light_t, diag_t, names_t;
@@ -26,6 +27,7 @@ enum polygon_test
   names_t *names;               // of the objects
   struct k_vec background;      // colour of a ray that hits nothing
   unsigned max_depth;           // deepest generation of rays; 5
+  struct cut_rule cut;          // of rays that are worth little; off
   enum polygon_test polygon_test;
 @protected
   NSMapTable *replacements;     // see replace:by:; by object, NSNull: none

@@ -24,6 +24,7 @@
   ray_t *ray = [(ray_t *)[ray_t alloc] init: [vec_t vec: o] : [vec_t vec: d]];
 
   ray->media = [[model mediaOf: ray] retain];
+  ray->cut = cut_eye(&model->cut);
   return ray;
 }
 
@@ -37,6 +38,7 @@
       counters->eye++;
       ray->counters = counters;
       rays[i].color = [ray trace: model]->v;
+      rays[i].error = ray->cut.error;
       [ray release];
       [pool release];
     }

@@ -58,6 +58,10 @@
     everywhere in it. The default is YES. */
 - (BOOL) hasSurfaceIn: (struct k_bounds)box;
 
+/** How far its surface is from P, or less. The default is how far its box
+    is. */
+- (double) distanceFrom: (struct k_vec)P;
+
 /** Which object a ray is in when it has gone through this surface: self, or
     the solid it is part of; nil for a thin sheet. */
 - (id) medium;

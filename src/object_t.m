@@ -42,6 +42,13 @@
   return YES;
 }
 
+- (double) distanceFrom: (struct k_vec)P
+{
+  struct k_bounds box = [(id <object_t>)self bounds];
+
+  return k_bounds_distance(&box, P);
+}
+
 - (id) medium
 {
   return self;

@@ -13,9 +13,10 @@ const struct option option_table[] = {
     .help = "write the picture to FILE: .exr (float, linear), .png or .ppm"
             " (8 bits); - is standard output, as .ppm" },
   { .name = "aov", .value = "LIST", .kind = OPTION_WORDS, .offset = AT(aovs),
-    .words = "depth normal object",
+    .words = "depth normal object error.truncation",
     .help = "more channels for an .exr: depth (Z), normal (N.X N.Y N.Z),"
-            " object (id), with commas between" },
+            " object (id), error.truncation (what rays that are not traced"
+            " could change at most), with commas between" },
 
   { .heading = "Picture",
     .letter = 'r', .name = "resolution", .value = "WxH",
@@ -65,6 +66,16 @@ const struct option option_table[] = {
     .is_shaping = YES,
     .help = "deepest generation of reflected and refracted rays; eye rays"
             " are generation 0" },
+  { .name = "min-weight", .value = "W", .kind = OPTION_NUMBER,
+    .offset = AT(min_weight), .high = 1, .usual = -1, .is_shaping = YES,
+    .help = "trace no reflected or refracted ray that is worth less than W of"
+            " the colour of its eye ray; writes error.truncation too" },
+  { .name = "max-error", .value = "E", .kind = OPTION_NUMBER,
+    .offset = AT(max_error), .high = 1e6, .is_above_low = YES, .usual = -1,
+    .is_shaping = YES,
+    .help = "trace only as many of them as it takes for no channel of a pixel"
+            " to be off by more than E from the picture of 20 generations, or of"
+            " --max-depth; writes error.truncation too" },
   { .name = "polygon-test", .value = "WORD", .kind = OPTION_WORD,
     .offset = AT(polygon_test), .words = "crossings edges angles",
     .is_shaping = YES,

@@ -52,6 +52,7 @@ struct settings
   double noise, confidence;     // 0: not given
   uint64_t max_samples;         // 0: not given
   uint64_t max_depth, polygon_test, engine, isa;
+  double min_weight, max_error; // less than 0: not given
   uint64_t threads;             // 0: all cores
   NSMutableArray *includes;     // folders, in the order given
   uint64_t check, format_scene, plan;
@@ -64,11 +65,16 @@ struct settings
   struct settings settings;
   enum format format;           // of the output, by its suffix
   NSString *scene;              // nil with --help and --version only
+@protected
+  NSMutableSet *given;          // names of options
 }
 
 /** Reads the arguments of main. Afterwards they are complete and agree with
     each other. nil, or what is wrong with them (autoreleased). */
 - (NSString *) read: (int)argc : (char **)argv;
+
+/** Whether the option of this name was given. */
+- (BOOL) isGiven: (const char *)name;
 
 /** The options that a picture depends on beside its scene, written so that
     they give the same picture again. --seed is not among them. */

@@ -60,6 +60,7 @@ is_square(uint64_t n)
     {
       option_reset(&settings);
       settings.includes = [[NSMutableArray alloc] init];
+      given = [[NSMutableSet alloc] init];
     }
   return self;
 }
@@ -69,6 +70,7 @@ is_square(uint64_t n)
   [settings.output release];
   [settings.includes release];
   [scene release];
+  [given release];
   [super dealloc];
 }
 
@@ -94,6 +96,7 @@ is_square(uint64_t n)
       value = *next;
       *next = nil;
     }
+  [given addObject: option_name(option)];
   return option_take(option, value, &settings);
 }
 
@@ -120,6 +123,7 @@ is_square(uint64_t n)
             }
           i = [argument length];
         }
+      [given addObject: option_name(option)];
       NSString *wrong = option_take(option, value, &settings);
       if (wrong)
         {
@@ -267,6 +271,11 @@ is_square(uint64_t n)
     }
   NSString *wrong = [self readAll: arguments];
   return wrong ? wrong : [self disagreement];
+}
+
+- (BOOL) isGiven: (const char *)name
+{
+  return [given containsObject: [NSString stringWithFormat: @"--%s", name]];
 }
 
 - (NSString *) pictureOptions

@@ -182,6 +182,11 @@
   return YES;
 }
 
+- (double) distanceFrom: (struct k_vec)P
+{
+  return k_max2([super distanceFrom: P], k_bounds_distance(&box, P));
+}
+
 - (id) medium
 {
   return solid;

@@ -11,6 +11,7 @@
 #import "vec_t.h"
 #import "media_t.h"
 #include "counters.h"
+#include "cut.h"
 #include "kernel/k_shear.h"
 
 @class light_t, model_t, object_t;
@@ -41,6 +42,8 @@ struct hit
   double end;           // feelers: the distance of the light
   double end_slack;     // feelers: how far off the light may seem
 
+  struct cut cut;       // its weight, and what is cut of its branches, if the
+                        // model asks for that
   struct hit hit;       // the nearest hit so far; t infinite, object nil first
   struct k_vec inverse; // 1 / dir, per component
   struct k_shear shear; // for polygons

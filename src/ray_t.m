@@ -181,16 +181,27 @@
   return is_lit;
 }
 
+/** Whether a ray that would be spawned is not worth it. */
+- (BOOL) cuts: (enum cut_which)which of: (struct cut_pair *)pair
+           in: (model_t *)model
+{
+  return model->cut.is_on
+    && cut_is(&model->cut, &cut, pair, which, depth == model->max_depth);
+}
+
 /** What comes along the reflected ray. */
 - (struct k_vec) reflectionFrom: (vec_t *)P : (vec_t *)Ns
                              in: (model_t *)model
+                            cut: (const struct cut *)branch
 {
   vec_t *r = [vec_t vec: shade_renew([dir reflect: Ns]->v)];
   ray_t *reflection = [(ray_t *)[ray_t alloc] init: P : r
                                               from: self through: NO];
 
   counters->reflection += depth < model->max_depth;
+  reflection->cut = *branch;
   struct k_vec color = [reflection trace: model]->v;
+  cut_add(&cut, &reflection->cut);
   [reflection release];
   return color;
 }
@@ -198,6 +209,7 @@
 /** What comes along the refracted ray, which runs along t in `inside`. */
 - (struct k_vec) refractionFrom: (vec_t *)P : (vec_t *)t
                              in: (model_t *)model media: (media_t *)inside
+                            cut: (const struct cut *)branch
 {
   ray_t *refraction = [(ray_t *)[ray_t alloc] init: P : t
                                               from: self through: YES];
@@ -206,7 +218,9 @@
   [inside retain];
   [refraction->media release];
   refraction->media = inside;
+  refraction->cut = *branch;
   struct k_vec color = [refraction trace: model]->v;
+  cut_add(&cut, &refraction->cut);
   [refraction release];
   return color;
 }
@@ -287,14 +301,21 @@
   double R = 0;
   media_t *inside = nil;
   vec_t *t = nil;
+  struct cut_pair pair = { 0 };
 
   if (m->alpha > 0)
     {
       t = [self refractAt: Ns inside: &inside reflectance: &R];
     }
-  if (is_mirror || R > 0)
+  if (model->cut.is_on)
     {
-      reflected = [self reflectionFrom: P : Ns in: model];
+      pair = cut_pair(&model->cut, &cut, m->specular, m->alpha, R, depth + 1,
+                      dis);
+    }
+  if ((is_mirror || R > 0) && ![self cuts: CUT_REFLECTED of: &pair in: model])
+    {
+      reflected = [self reflectionFrom: P : Ns in: model
+                                   cut: &pair.branch[CUT_REFLECTED]];
     }
   if (is_mirror)
     {
@@ -302,9 +323,10 @@
     }
   if (m->alpha > 0)
     {
-      if (R < 1)
+      if (R < 1 && ![self cuts: CUT_REFRACTED of: &pair in: model])
         {
-          refracted = [self refractionFrom: P : t in: model media: inside];
+          refracted = [self refractionFrom: P : t in: model media: inside
+                                       cut: &pair.branch[CUT_REFRACTED]];
         }
       color = shade_blend(color, m->alpha, R, refracted, reflected);
     }

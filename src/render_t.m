@@ -62,6 +62,11 @@ trace(const render_t *self, struct bundle *bundle, struct counters *count)
       struct k_vec *color = &bundle->pixels[i]->color;
       *color = k_add(*color, rays[i].color);
     }
+  double *errors = self->image->planes[PLANE_TRUNCATION];
+  for (unsigned i = 0; errors && i < bundle->count; i++)
+    {
+      errors[bundle->pixels[i] - self->image->pixels] += rays[i].error;
+    }
   bundle->count = 0;
 }
 
@@ -139,6 +144,10 @@ add_all(const render_t *self, struct pixel *pixel, struct sample sample,
       for (unsigned x = w.x0; x < w.x1; x++, pixel++)
         {
           pixel->color = k_div(pixel->color, rays);
+        }
+      for (unsigned x = w.x0; image->planes[PLANE_TRUNCATION] && x < w.x1; x++)
+        {
+          *[image plane: PLANE_TRUNCATION at: x : y] /= rays;
         }
     }
 }

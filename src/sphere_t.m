@@ -42,6 +42,11 @@
   return k_sphere_power(P, center, radius) < 0;
 }
 
+- (double) distanceFrom: (struct k_vec)P
+{
+  return fabs(k_length(k_sub(P, center)) - radius);
+}
+
 /** The far side, for a ray that starts on the inner side of this sphere: one
     root is where it starts, the other is exact. */
 - (void) farSideOf: (ray_t *)ray

@@ -2,6 +2,7 @@
 // rays. --stats shows it.
 
 #import <Foundation/Foundation.h>
+#import "image_t.h"
 #include "counters.h"
 #include "kernel/k.h"
 #import "noise_facts.h"
@@ -20,11 +21,16 @@ enum phase
 @public
   double seconds[PHASES];
   struct counters counters;
+  BOOL has_truncation;  // error.truncation is known: the largest of a pixel and
+  double truncation_most, truncation_mean;      // the mean
   struct k_facts scene; // of the fast engine; isa NULL: there is none
   struct noise_facts noise;     // of --noise; pixels 0: there is none
 @protected
   double mark;          // when the last phase ended
 }
+
+/** Takes over what the picture says of its errors. */
+- (void) errorsOf: (image_t *)image;
 
 /** The time since the last call, or since init, belonged to this phase. */
 - (void) ended: (enum phase)phase;
@@ -37,7 +43,8 @@ enum phase
     "rays": {"eye": …, "reflection": …, "refraction": …, "feeler": …},
     "tests": …, "escapes": …, "rays_per_second": …}, and of the fast engine
     "nodes": …, "nodes_per_ray": …, "tests_per_ray": …, "tree": {"nodes": …,
-    "depth": …, "cost": …, "bytes": …, "isa": "…"}, and with --noise
+    "depth": …, "cost": …, "bytes": …, "isa": "…"}, when branches are cut
+    "error": {"truncation": {"most": …, "mean": …}}, and with --noise
     "noise": {"pixels": …, "rays": …, "largest": …, "rms": …,
     "capped": …} */
 - (NSString *) json;

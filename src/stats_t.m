@@ -2,6 +2,8 @@
 
 #import "stats_t.h"
 #include "clock.h"
+#include "number.h"
+#include <float.h>
 #include <inttypes.h>
 
 static const char *const phase_names[PHASES] = {
@@ -38,6 +40,34 @@ text_of(double number)
   mark = now;
 }
 
+- (void) errorsOf: (image_t *)image
+{
+  const double *errors = image->planes[PLANE_TRUNCATION];
+  size_t count = (size_t)[image width] * [image height];
+  double sum = 0;
+
+  has_truncation = errors != NULL;
+  for (size_t i = 0; errors && i < count; i++)
+    {
+      truncation_most = MAX(truncation_most, errors[i]);
+      sum += errors[i];
+    }
+  truncation_mean = sum / count;
+}
+
+/** A number that may be infinite (autoreleased): as JSON has none, the largest
+    double stands for it. */
+static NSString *
+error_text_of(double error)
+{
+  char text[32];
+  locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+
+  number_write(MIN(error, DBL_MAX), c, text);
+  freelocale(c);
+  return [NSString stringWithUTF8String: text];
+}
+
 /** 0 when nothing was traced. */
 - (double) perRay: (uint64_t)count
 {
@@ -70,6 +100,11 @@ text_of(double number)
   [text appendFormat: @"tests      %16" PRIu64 "\n", c->tests];
   [text appendFormat: @"escapes    %16" PRIu64 "\n", c->escapes];
   [text appendFormat: @"speed      %16.0f rays/s\n", [self raysPerSecond]];
+  if (has_truncation)
+    {
+      [text appendFormat: @"truncation %16@ at most, mean %@\n",
+            error_text_of(truncation_most), error_text_of(truncation_mean)];
+    }
   if (scene.isa)
     {
       [text appendFormat: @"nodes      %16@ per ray\n",
@@ -85,10 +120,10 @@ text_of(double number)
       [text appendFormat: @"noise      %16" PRIu64 " pixels\n", noise.pixels];
       [text appendFormat: @"           %16" PRIu64 " rays through them\n",
             noise.rays];
-      [text appendFormat: @"           %16.6g largest stated error\n",
-            noise.largest];
-      [text appendFormat: @"           %16.6g root of their mean square\n",
-            noise.rms];
+      [text appendFormat: @"           %16@ largest stated error\n",
+            error_text_of(noise.largest)];
+      [text appendFormat: @"           %16@ root of their mean square\n",
+            error_text_of(noise.rms)];
       [text appendFormat: @"           %16" PRIu64 " pixels above the limit\n",
             noise.capped];
     }
@@ -121,12 +156,19 @@ text_of(double number)
             text_of([self perRay: c->tests]), scene.nodes, scene.depth,
             text_of(scene.cost), scene.bytes, scene.isa];
     }
+  if (has_truncation)
+    {
+      [json appendFormat: @", \"error\": {\"truncation\": {\"most\": %@,"
+            @" \"mean\": %@}}", error_text_of(truncation_most),
+            error_text_of(truncation_mean)];
+    }
   if (noise.pixels)
     {
       [json appendFormat: @", \"noise\": {\"pixels\": %" PRIu64
-            @", \"rays\": %" PRIu64 @", \"largest\": %.9g, \"rms\": %.9g,"
+            @", \"rays\": %" PRIu64 @", \"largest\": %@, \"rms\": %@,"
             @" \"capped\": %" PRIu64 "}", noise.pixels, noise.rays,
-            noise.largest, noise.rms, noise.capped];
+            error_text_of(noise.largest), error_text_of(noise.rms),
+            noise.capped];
     }
   [json appendString: @"}\n"];
   return json;

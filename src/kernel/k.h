@@ -9,6 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "../counters.h"
+#include "../cut.h"
 #include "../eye_ray.h"
 #include "k_bounds.h"
 #include "k_plane_hit.h"
@@ -94,6 +95,7 @@ struct k_settings
 {
   struct k_vec background;
   unsigned max_depth;
+  struct cut_rule cut;
   unsigned threads;     // that build the tree
   const char *isa;      // instruction set; NULL: the best there is
 };

@@ -80,6 +80,17 @@ k_bounds_hold(const struct k_bounds *b, struct k_vec p)
     && b->least.z <= p.z && p.z <= b->most.z;
 }
 
+/** How far p is from the box; 0 in it. */
+static inline double
+k_bounds_distance(const struct k_bounds *b, struct k_vec p)
+{
+  double x = k_max2(0, k_max2(b->least.x - p.x, p.x - b->most.x));
+  double y = k_max2(0, k_max2(b->least.y - p.y, p.y - b->most.y));
+  double z = k_max2(0, k_max2(b->least.z - p.z, p.z - b->most.z));
+
+  return k_length(k_vec(x, y, z));
+}
+
 /** Whether two boxes have a point in common. */
 static inline int
 k_bounds_overlap(const struct k_bounds *a, const struct k_bounds *b)

@@ -38,6 +38,8 @@ struct point
   struct k_vec t;               // refracted direction
   struct k_media entered;
   const struct k_media *inside; // what the refracted ray is in
+  struct cut *cut;              // of the ray, and of what it spawns, if
+  struct cut_pair pair;         // branches are cut
 };
 
 static inline void
@@ -159,83 +161,122 @@ refract(const struct k_scene *scene, struct point *p, struct k_media *room)
 
 static void trace(const struct k_scene *scene, struct k_ray *rays, unsigned n,
                   unsigned depth, struct k_vec *colors);
+static void trace_cut(const struct k_scene *scene, struct k_ray *rays,
+                      unsigned n, unsigned depth, struct k_vec *colors,
+                      struct cut *cuts);
 
 // From this generation on each ray is traced by itself: few are left by then,
 // and what one level takes of the stack may be taken a thousand times.
 #define TOGETHER 16
 
-/** The colours of the next generation; 0 when there is none any more. */
-static inline int
+/** The colours of the next generation; 0 when there is none any more. With
+    cuts, one for each child, when branches are cut. */
+static inline __attribute__((always_inline)) int
 trace_children(const struct k_scene *scene, struct k_ray *children,
-               unsigned n, unsigned depth, struct k_vec *colors)
+               unsigned n, unsigned depth, struct k_vec *colors,
+               struct cut *cuts)
 {
+  unsigned each = depth < TOGETHER ? n : 1;
+
   if (n == 0 || depth == scene->settings.max_depth)
     {
       return 0;
     }
-  if (depth < TOGETHER)
+  for (unsigned i = 0; i < n; i += each)
     {
-      trace(scene, children, n, depth + 1, colors);
-      return 1;
-    }
-  for (unsigned i = 0; i < n; i++)
-    {
-      trace(scene, &children[i], 1, depth + 1, &colors[i]);
+      if (cuts)
+        {
+          trace_cut(scene, &children[i], each, depth + 1, &colors[i],
+                    &cuts[i]);
+        }
+      else
+        {
+          trace(scene, &children[i], each, depth + 1, &colors[i]);
+        }
     }
   return 1;
 }
 
+/** Whether a ray that a point would spawn is not worth it: -[ray_t cuts:of:in:].
+    *cut is then that ray's. */
+static inline int
+is_cut(const struct k_scene *scene, struct point *p, enum cut_which which,
+       unsigned depth, struct cut *cut)
+{
+  if (cut_is(&scene->settings.cut, p->cut, &p->pair, which,
+             depth == scene->settings.max_depth))
+    {
+      return 1;
+    }
+  *cut = p->pair.branch[which];
+  return 0;
+}
+
 /** What comes along the reflected rays of the points that have one. */
-static inline void
+static inline __attribute__((always_inline)) void
 reflect_all(const struct k_scene *scene, struct point *points, unsigned count,
-            unsigned depth, struct k_ray *children, unsigned *of)
+            unsigned depth, struct k_ray *children, unsigned *of, int cuts_too)
 {
   struct k_vec colors[count];
+  struct cut cuts[cuts_too ? count : 1];
   unsigned n = 0;
 
   for (unsigned i = 0; i < count; i++)
     {
-      const struct point *p = &points[i];
-      if (p->is_mirror || p->R > 0)
+      struct point *p = &points[i];
+      if ((p->is_mirror || p->R > 0)
+          && !(cuts_too && is_cut(scene, p, CUT_REFLECTED, depth, &cuts[n])))
         {
           struct k_vec d = shade_renew(shade_reflect(p->ray->d, p->Ns));
           spawn(&children[n], p->ray, d, 0, p->ray->media);
           of[n++] = i;
         }
     }
-  if (trace_children(scene, children, n, depth, colors))
+  if (trace_children(scene, children, n, depth, colors,
+                     cuts_too ? cuts : NULL))
     {
       children->counters->reflection += n;
       for (unsigned j = 0; j < n; j++)
         {
           points[of[j]].reflected = colors[j];
+          if (cuts_too)
+            {
+              cut_add(points[of[j]].cut, &cuts[j]);
+            }
         }
     }
 }
 
 /** The same along the refracted rays. */
-static inline void
+static inline __attribute__((always_inline)) void
 refract_all(const struct k_scene *scene, struct point *points, unsigned count,
-            unsigned depth, struct k_ray *children, unsigned *of)
+            unsigned depth, struct k_ray *children, unsigned *of, int cuts_too)
 {
   struct k_vec colors[count];
+  struct cut cuts[cuts_too ? count : 1];
   unsigned n = 0;
 
   for (unsigned i = 0; i < count; i++)
     {
-      const struct point *p = &points[i];
-      if (p->m->alpha > 0 && p->R < 1)
+      struct point *p = &points[i];
+      if (p->m->alpha > 0 && p->R < 1
+          && !(cuts_too && is_cut(scene, p, CUT_REFRACTED, depth, &cuts[n])))
         {
           spawn(&children[n], p->ray, p->t, 1, p->inside);
           of[n++] = i;
         }
     }
-  if (trace_children(scene, children, n, depth, colors))
+  if (trace_children(scene, children, n, depth, colors,
+                     cuts_too ? cuts : NULL))
     {
       children->counters->refraction += n;
       for (unsigned j = 0; j < n; j++)
         {
           points[of[j]].refracted = colors[j];
+          if (cuts_too)
+            {
+              cut_add(points[of[j]].cut, &cuts[j]);
+            }
         }
     }
 }
@@ -275,10 +316,11 @@ trace_ambient(const struct k_scene *scene, struct k_ray *rays, unsigned n,
     }
 }
 
-/** -[ray_t trace:], step by step, of n rays at once. */
-static void
-trace(const struct k_scene *scene, struct k_ray *rays, unsigned n,
-      unsigned depth, struct k_vec *colors)
+/** -[ray_t trace:], step by step, of n rays at once; with cuts, one for each
+    of them, when branches are cut. Compiled for both. */
+static inline __attribute__((always_inline)) void
+trace_either(const struct k_scene *scene, struct k_ray *rays, unsigned n,
+             unsigned depth, struct k_vec *colors, struct cut *cuts)
 {
   struct point points[n];
   struct k_ray children[n];
@@ -323,14 +365,57 @@ trace(const struct k_scene *scene, struct k_ray *rays, unsigned n,
                   ? alloca(k_media_depth(media) * sizeof *media) : NULL);
         }
     }
-  reflect_all(scene, points, count, depth, children, of);
+  for (unsigned i = 0; cuts && i < count; i++)
+    {
+      struct point *p = &points[i];
+      if (!p->is_mirror && p->m->alpha == 0)
+        {
+          continue;
+        }
+      p->cut = &cuts[p->ray - rays];
+      p->pair = cut_pair(&scene->settings.cut, p->cut, p->m->specular,
+                         p->m->alpha, p->R, depth + 1, p->ray->dis);
+    }
+  reflect_all(scene, points, count, depth, children, of, cuts != NULL);
   if (is_clear)
     {
-      refract_all(scene, points, count, depth, children, of);
+      refract_all(scene, points, count, depth, children, of, cuts != NULL);
     }
   for (unsigned i = 0; i < count; i++)
     {
       colors[points[i].ray - rays] = point_color(&points[i]);
+    }
+}
+
+static void
+trace(const struct k_scene *scene, struct k_ray *rays, unsigned n,
+      unsigned depth, struct k_vec *colors)
+{
+  trace_either(scene, rays, n, depth, colors, NULL);
+}
+
+static void
+trace_cut(const struct k_scene *scene, struct k_ray *rays, unsigned n,
+          unsigned depth, struct k_vec *colors, struct cut *cuts)
+{
+  trace_either(scene, rays, n, depth, colors, cuts);
+}
+
+/** The colours of n eye rays, and what is cut of them. */
+static void
+trace_eye_cut(const struct k_scene *scene, struct k_ray *rays,
+              struct eye_ray *eye, unsigned n, struct k_vec *colors)
+{
+  struct cut cuts[K_MANY];
+
+  for (unsigned i = 0; i < n; i++)
+    {
+      cuts[i] = cut_eye(&scene->settings.cut);
+    }
+  trace_cut(scene, rays, n, 0, colors, cuts);
+  for (unsigned i = 0; i < n; i++)
+    {
+      eye[i].error = cuts[i].error;
     }
 }
 
@@ -351,6 +436,10 @@ trace_eye(const struct k_scene *scene, struct eye_ray *eye, unsigned n,
   if (k_is_plain(scene))
     {
       trace_ambient(scene, rays, n, colors);
+    }
+  else if (scene->settings.cut.is_on)
+    {
+      trace_eye_cut(scene, rays, eye, n, colors);
     }
   else
     {

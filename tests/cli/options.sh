@@ -106,7 +106,7 @@ wrong "option '--progress' takes one of auto, bar, none, not 'on'" \
   --progress on
 wrong "option '--stats' takes one of none, text, json, not 'xml'" --stats=xml
 for bad in '' 'depth,' ,depth depth,objekt 'depth normal' all; do
-  wrong "option '--aov' takes some of depth, normal, object, with commas \
+  wrong "option '--aov' takes some of depth, normal, object, error.truncation, with commas \
 between, not '$bad'" --aov "$bad"
 done
 for flag in check format-scene plan quiet verbose help version; do

@@ -1,0 +1,263 @@
+// cuts.m - branches of the ray tree that are not traced, and the error that the
+// picture says it may have for it: never less than the true one.
+
+#import "brightest_t.h"
+#import "support.h"
+#include "test.h"
+
+#define WINDOW \
+  "camera c { pixeldim 24 18 worlddim 8 6 viewpoint 4 3 9 }\n"
+
+static const char *const scenes[] = {
+  // Two mirrors face each other at a slant, coloured, ambient falls off.
+  "mirrors", WINDOW
+  "background .1 .2 .6\n"
+  "light l { location 4 5 4 emissivity 3 4 5 }\n"
+  "material a { ambient 2 1 0 diffuse .4 .5 .6 specular .9 .7 .5 }\n"
+  "material b { ambient 0 1 2 diffuse .5 .4 .3 specular .6 .8 .9"
+  " shininess 5 }\n"
+  "plane far { material a normal .05 0 1 point 0 0 -4 }\n"
+  "plane near { material b normal 0 .05 -1 point 0 0 10 }\n"
+  "sphere ball { material b center 4 3 -2 radius 1 }\n",
+  // Half clear balls in one another, lights near by, every falloff.
+  "glass", WINDOW
+  "background .3 .3 .3\n"
+  "light l { location 2 5 2 emissivity 1 2 1 falloff 0 }\n"
+  "light m { location 6 1 1 emissivity 2 1 1 falloff 2 }\n"
+  "material g { ambient 1 1 1 diffuse .5 .6 .7 alpha .8 ior 1.5 }\n"
+  "material w { diffuse .8 .8 .8 specular .1 .2 .3 alpha .5 ior 1.3 }\n"
+  "material f { ambient .5 .5 .5 diffuse .8 .7 .6 }\n"
+  "sphere out { material g center 4 3 -2 radius 2 }\n"
+  "sphere in { material w center 4 3 -2 radius 1 }\n"
+  "sphere off { material w center 6 2 0 radius .7 }\n"
+  "plane floor { material f normal 0 1 0 point 0 0 0 }\n",
+  // Clear, with highlights: every generation may add one.
+  "clear", WINDOW
+  "light l { location 4 8 2 emissivity 9 9 9 }\n"
+  "material g { specular .3 .3 .3 shininess 9 alpha 1 ior 1.6 }\n"
+  "material f { diffuse .8 .7 .6 specular .2 .2 .2 }\n"
+  "sphere a { material g center 3 3 -1 radius 1.2 }\n"
+  "sphere b { material g center 5.5 3 -1 radius 1.2 }\n"
+  "plane floor { material f normal 0 1 0 point 0 0 0 }\n",
+};
+
+enum { SCENES = sizeof scenes / sizeof *scenes / 2, DEEP = 14 };
+
+static image_t *
+picture(model_t *model, id <engine_t> engine)
+{
+  struct window all = { 0, 0, model->camera->columns, model->camera->rows };
+  image_t *image = [[[image_t alloc] init: all.x1 : all.y1 window: all
+                                 surfaces: NO error: NULL] autorelease];
+  render_t *render;
+
+  PASS([image addPlane: PLANE_TRUNCATION error: NULL], "room for errors");
+  render = [[render_t alloc] init: engine camera: model->camera into: image
+                          options: support_render_options()];
+  [render run];
+  [render release];
+  return image;
+}
+
+/** By both engines and instruction sets, which have to agree. */
+static image_t *
+agreed(model_t *model, const char *what)
+{
+  image_t *image = picture(model, [[[notes_t alloc] initWithModel: model]
+                                    autorelease]);
+  size_t count = (size_t)[image width] * [image height];
+
+  for (NSString *isa in [NSArray arrayWithObjects: @"base", @"avx2", nil])
+    {
+      id <engine_t> fast = support_fast(model, isa);
+      image_t *other = fast ? picture(model, fast) : image;
+      PASS(memcmp(image->pixels, other->pixels,
+                  count * sizeof *image->pixels) == 0,
+           "%s: both engines, the same colours", what);
+      PASS(memcmp(image->planes[PLANE_TRUNCATION],
+                  other->planes[PLANE_TRUNCATION],
+                  count * sizeof(double)) == 0,
+           "%s: and the same errors", what);
+    }
+  return image;
+}
+
+/** A model that cuts so; errors count from `generations`. */
+static model_t *
+cutting(unsigned scene, unsigned max_depth, double min_weight,
+        double max_error, unsigned generations)
+{
+  model_t *model = support_model(scenes[2 * scene + 1]);
+  brightest_t *brightest = [[[brightest_t alloc]
+                              initWithModel: model
+                                generations: generations] autorelease];
+  struct cut_rule rule = { 1, min_weight, max_error, generations,
+                           brightest->most, brightest->count };
+
+  model->max_depth = max_depth;
+  model->cut = rule;
+  return model;
+}
+
+/** How many channels are farther off than the picture says. */
+static unsigned
+broken(image_t *image, image_t *deep, double *most)
+{
+  size_t count = (size_t)[image width] * [image height];
+  unsigned wrong = 0;
+
+  *most = 0;
+  for (size_t i = 0; i < count; i++)
+    {
+      double error = image->planes[PLANE_TRUNCATION][i];
+      struct k_vec off = k_sub(deep->pixels[i].color,
+                               image->pixels[i].color);
+      wrong += !(k_norm_max(off) <= error
+                 + 1e-13 * k_norm_max(deep->pixels[i].color));
+      *most = fmax(*most, error);
+    }
+  return wrong;
+}
+
+static void
+bounds_hold(unsigned scene)
+{
+  const char *name = scenes[2 * scene];
+  model_t *deepest = support_model(scenes[2 * scene + 1]);
+  double most, before = HUGE_VAL;
+
+  deepest->max_depth = DEEP;
+  image_t *deep = picture(deepest, support_fast(deepest, nil));
+  for (unsigned depth = 0; depth <= 5; depth++)
+    {
+      image_t *image = agreed(cutting(scene, depth, -1, -1, CUT_GENERATIONS),
+                              name);
+      PASS(broken(image, deep, &most) == 0, "%s: bound holds at depth %u",
+           name, depth);
+      PASS(most > 0 && most <= before, "%s: depth %u may be off by %g, no more"
+           " than one less", name, depth, most);
+      before = most;
+    }
+  before = HUGE_VAL;
+  for (double weight = 1; weight > 1e-3; weight /= 4)
+    {
+      image_t *image = agreed(cutting(scene, DEEP, weight, -1,
+                                      CUT_GENERATIONS), name);
+      PASS(broken(image, deep, &most) == 0, "%s: bound holds at weight %g",
+           name, weight);
+      PASS(most <= before, "%s: weight %g may be off by %g", name, weight,
+           most);
+      before = most;
+    }
+  for (double error = 0.1; error > 1e-7; error /= 10)
+    {
+      image_t *image = agreed(cutting(scene, DEEP, -1, error, DEEP), name);
+      PASS(broken(image, deep, &most) == 0 && most <= error,
+           "%s: bound of %g holds, %g is reached", name, error, most);
+    }
+}
+
+/** Without a cut nothing changes, and nothing may be off. */
+static void
+nothing_cut(void)
+{
+  for (unsigned scene = 0; scene < SCENES; scene++)
+    {
+      model_t *plain = support_model(scenes[2 * scene + 1]);
+      plain->max_depth = 6;
+      image_t *a = picture(plain, support_fast(plain, nil));
+      image_t *b = agreed(cutting(scene, 6, 0, -1, 6), "no cut");
+      double most;
+      PASS(memcmp(a->pixels, b->pixels, (size_t)[a width] * [a height]
+                  * sizeof *a->pixels) == 0, "the same picture");
+      PASS(broken(b, a, &most) == 0 && most == 0, "without any error");
+    }
+}
+
+/** A half mirror that sees a background of 1: cut, just that is missing. */
+static void
+exact(void)
+{
+  model_t *model = support_model(WINDOW "background 1 1 1\n"
+                                 "material m { specular .5 .25 0 }\n"
+                                 "plane p { material m normal 0 0 1"
+                                 " point 0 0 -1 }\n");
+  brightest_t *brightest = [[[brightest_t alloc] initWithModel: model
+                                                   generations: 1000]
+                             autorelease];
+  struct cut_rule rule = { 1, -1, -1, 1000, brightest->most,
+                           brightest->count };
+
+  model->cut = rule;
+  model->max_depth = 0;
+  image_t *image = agreed(model, "half mirror");
+  PASS_NEAR(image->planes[PLANE_TRUNCATION][0], 0.5, 1e-8,
+            "all that is missing is told, and no more");
+  model->cut.min_weight = 0.5;
+  model->max_depth = 1;
+  PASS(agreed(model, "weight")->planes[PLANE_TRUNCATION][0] == 0,
+       "a branch of just that weight is traced");
+  model->cut.min_weight = nextafter(0.5, 1);
+  PASS(agreed(model, "weight")->planes[PLANE_TRUNCATION][0] > 0,
+       "one that is lighter is not");
+}
+
+/** The table against its closed form: a mirror of 3/4 that gives 2 of its own:
+    2 (1 - k^(g+1)) / (1 - k). */
+static void
+table(void)
+{
+  model_t *model = support_model(WINDOW
+    "light l { location 4 3 5 emissivity 2 2 2 falloff 0 }\n"
+    "material m { diffuse 1 0 0 specular .75 0 0 }\n"
+    "sphere s { material m center 4 3 -1 radius 1 }\n");
+  brightest_t *b = [[[brightest_t alloc] initWithModel: model
+                                           generations: 1000] autorelease];
+  double own = 2 + .75 * 2;
+
+  for (unsigned g = 0; g < 50; g++)
+    {
+      PASS_NEAR(b->most[g].rest.x, own * (1 - pow(.75, g + 1)) / .25, 1e-12,
+                "%u generations", g);
+    }
+  PASS(b->count < 200, "it ends where it does not grow any more");
+  PASS(b->most[9].rest.y == 0, "nothing of what is not lit");
+}
+
+/** How near a light is to each shape. */
+static void
+distances(void)
+{
+  model_t *model = support_model(WINDOW
+    "material m { }\n"
+    "sphere s { material m center 0 0 0 radius 2 }\n"
+    "plane p { material m normal 0 2 0 point 7 -3 9 }\n"
+    "polygon q { material m vertex 0 0 0 vertex 4 0 0 vertex 4 4 0"
+    " vertex 0 4 0 }\n");
+  object_t *s = [model->objects objectAtIndex: 0];
+  object_t *p = [model->objects objectAtIndex: 1];
+  object_t *q = [model->objects objectAtIndex: 2];
+
+  PASS_NEAR([s distanceFrom: k_vec(0, 0, 5)], 3, 1e-15, "outside a sphere");
+  PASS_NEAR([s distanceFrom: k_vec(0, .5, 0)], 1.5, 1e-15, "inside it");
+  PASS_NEAR([p distanceFrom: k_vec(100, 2, -50)], 5, 1e-15, "from a plane");
+  PASS_NEAR([q distanceFrom: k_vec(1, 1, 6)], 6, 1e-9, "above a polygon");
+  PASS_NEAR([q distanceFrom: k_vec(7, 8, 0)], 5, 1e-9, "beside it");
+}
+
+int
+main(void)
+{
+  NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
+
+  for (unsigned scene = 0; scene < SCENES; scene++)
+    {
+      bounds_hold(scene);
+    }
+  nothing_cut();
+  exact();
+  table();
+  distances();
+  [pool release];
+  return test_done();
+}
