@@ -127,7 +127,7 @@ ray_places_on_lens(const struct ray_places *p, uint64_t ray, double *a,
 }
 
 /** The places of ray number `ray` of the batch; one after the other, from
-    0. */
+    any on. */
 static inline void
 ray_places_set(struct ray_places *p, uint64_t ray, struct sample *sample)
 {
@@ -140,13 +140,13 @@ ray_places_set(struct ray_places *p, uint64_t ray, struct sample *sample)
       sample->right = a - 0.5;
       sample->up = b - 0.5;
     }
-  else if (p->moves_in_pixel && ray == p->next)
+  else if (p->moves_in_pixel && ray >= p->next)
     {
       // Notes: all rays of a sample go through one place of the pixel.
       ray_places_in_pixel(p, ray / p->exposure, &a, &b);
       sample->right = a - 0.5;
       sample->up = b - 0.5;
-      p->next += p->exposure;
+      p->next = (ray / p->exposure + 1) * p->exposure;
     }
   if (p->has_lens)
     {

@@ -91,7 +91,11 @@ trace(const render_t *self, struct adaptive_bundle *bundle,
   struct batches batches[BLOCK];
   struct adaptive_bundle bundle;
   unsigned across = w.x1 - w.x0, left[BLOCK];
-  unsigned pixels = across * (w.y1 - w.y0), length = BATCH_START;
+  unsigned pixels = across * (w.y1 - w.y0);
+  BOOL isRandom = options.sampler == SAMPLER_RANDOM;
+  unsigned start = batches_start(options.noise, isRandom,
+                                 options.max_samples);
+  unsigned length = start / 2;
 
   NSAssert(pixels <= BLOCK, @"a block of pixels is too large");
   places.moves_in_pixel = YES;
@@ -117,8 +121,10 @@ trace(const render_t *self, struct adaptive_bundle *bundle,
       for (unsigned k = 0; k < count_left; k++)
         {
           unsigned i = left[k];
-          double error = batches_error(&batches[i], options.errors);
-          if (!isLast && error > options.noise && error < HUGE_VAL)
+          double error = batches_half_width(&batches[i], isRandom,
+                                            options.errors);
+          if (length < start
+              || (!isLast && error > options.noise && error < HUGE_VAL))
             {
               left[still++] = i;
               continue;

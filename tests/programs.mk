@@ -20,4 +20,11 @@ $(BUILD_DIR)/tests/%: tests/%.m $(FLAGS_FILE)
 	  $< -o $@ $(LINK_FLAGS) $(RPATH) -L$(BUILD_DIR) $(LIBRARY) \
 	  $(LIBS) $(BASE_LIBS) >$@.log 2>&1 || { rm -f $@; exit 1; }
 
+# bench/trade/coverage.m is such a program too.
+$(BUILD_DIR)/bench/%: bench/%.m $(FLAGS_FILE)
+	@mkdir -p $(@D)
+	@$(CC) $(OBJC_FLAGS) $(FLAGS) $(INCLUDES) $< -o $@ $(LINK_FLAGS) $(RPATH) \
+	  -L$(BUILD_DIR) $(LIBRARY) $(LIBS) $(BASE_LIBS) >$@.log 2>&1 \
+	  || { rm -f $@; exit 1; }
+
 -include $(wildcard $(BUILD_DIR)/tests/*/*.d)

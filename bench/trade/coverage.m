@@ -4,12 +4,14 @@
 //
 //   E  states  reached  covered  all  within  rays
 //
-// states: the share of pixels that take more than the least number of rays or
-// whose rays differ; reached: root of the mean square error of those that take
-// more, by E, the least and the largest of all seeds; covered: the share of
-// the stated intervals that hold each channel of the reference, of pixels that
-// state more than 0; all: of all pixels; within: the share of pictures whose
-// root of the mean square error is at most E; rays: of an average picture.
+// states: the share of pixels whose rays differ enough that they state more
+// than what no ray might have met; reached: the root of their mean square error
+// by E, the least and the largest of all seeds; covered: the share of them in
+// which the stated interval holds the reference in all channels; all: the same
+// of all pixels; within: the share of pictures whose root of the mean square
+// error is at most E; rays: of an average picture; random: how many times as
+// many rays --sampler random, a fixed number in each pixel, takes for the same
+// root of the mean square error.
 //
 // usage: coverage SCENE WIDTH HEIGHT SEEDS REFERENCE-RAYS E...
 
@@ -23,6 +25,9 @@
 #import "render_t.h"
 #include <stdio.h>
 #include <stdlib.h>
+
+/** Rays through a pixel of the picture that tells the error of random ones. */
+enum { RANDOM = 64 };
 
 static struct counters counters;
 
@@ -44,10 +49,25 @@ picture(model_t *model, id <engine_t> engine, struct render_options options)
   return image;
 }
 
+static double
+mean_square(image_t *image, image_t *reference)
+{
+  size_t count = (size_t)image->columns * image->rows;
+  double sum = 0;
+
+  for (size_t i = 0; i < count; i++)
+    {
+      struct k_vec d = k_sub(image->pixels[i].color,
+                             reference->pixels[i].color);
+      sum += k_dot(d, d) / (3 * count);
+    }
+  return sum;
+}
+
 /** Of one limit: sums over seeds. */
 struct sums
 {
-  double covered[2], counted[2], rays, stating, least, most, within;
+  double covered[2], counted[2], rays, stating, least, most, within, squares;
 };
 
 static void
@@ -62,26 +82,27 @@ compare(image_t *image, image_t *reference, double limit, struct sums *sums)
                              reference->pixels[i].color);
       double h = image->planes[PLANE_SAMPLING][i];
       const double off[3] = { fabs(d.x), fabs(d.y), fabs(d.z) };
-      BOOL more = image->planes[PLANE_SAMPLES][i] > BATCHES * BATCH_START;
+      BOOL more = h * image->planes[PLANE_SAMPLES][i] > 1.001;
+      // The reference itself is known to about a hundredth of E.
+      BOOL holds = fmax(off[0], fmax(off[1], off[2])) <= h + limit / 100;
       for (int c = 0; c < 3; c++)
         {
-          // The reference itself is known to about a hundredth of E.
-          BOOL holds = off[c] <= h + limit / 100;
-          sums->covered[0] += h > 1e-9 && holds;
-          sums->counted[0] += h > 1e-9;
-          sums->covered[1] += holds;
-          sums->counted[1]++;
           squares += more ? off[c] * off[c] : 0;
           all_squares += off[c] * off[c];
         }
+      sums->covered[0] += more && holds;
+      sums->counted[0] += more;
+      sums->covered[1] += holds;
+      sums->counted[1]++;
       sampled += more;
-      sums->stating += h > 1e-9;
+      sums->stating += more;
     }
   double reached = sampled ? sqrt(squares / (3 * sampled)) / limit : 0;
   sums->least = sums->rays == 0 || reached < sums->least ? reached
     : sums->least;
   sums->most = reached > sums->most ? reached : sums->most;
   sums->within += sqrt(all_squares / (3 * count)) <= limit;
+  sums->squares += all_squares / (3 * count);
   sums->rays += counters.eye;
 }
 
@@ -118,11 +139,16 @@ main(int argc, char **argv)
   };
   model->camera->exposure = 1;
   image_t *reference = picture(model, engine, options);
+  options.samples = RANDOM;
+  options.sampler = SAMPLER_RANDOM;
+  image_t *grainy = picture(model, engine, options);
+  double grain = mean_square(grainy, reference);
+  options.sampler = SAMPLER_OWEN;
   options.samples = 1;
   options.errors = student_quantile(0.95, BATCHES - 1);
   options.max_samples = 1 << 20;
-  printf("%-10s %6s %11s %8s %8s %7s %10s\n", "E", "states", "reached",
-         "covered", "all", "within", "rays");
+  printf("%-10s %6s %11s %8s %8s %7s %10s %7s\n", "E", "states", "reached",
+         "covered", "all", "within", "rays", "random");
   for (int k = 6; k < argc; k++)
     {
       struct sums sums = { .rays = 0 };
@@ -136,11 +162,12 @@ main(int argc, char **argv)
           compare(image, reference, options.noise, &sums);
           [image release];
         }
-      printf("%-10g %6.3f %5.3f-%5.3f %8.4f %8.4f %7.3f %10.0f\n",
+      printf("%-10g %6.3f %5.3f-%5.3f %8.4f %8.4f %7.3f %10.0f %7.2f\n",
              options.noise, sums.stating / pixels, sums.least, sums.most,
              sums.covered[0] / fmax(sums.counted[0], 1),
              sums.covered[1] / sums.counted[1], sums.within / seeds,
-             sums.rays / seeds);
+             sums.rays / seeds, grain / (sums.squares / seeds) * RANDOM
+             * (pixels / seeds) / (sums.rays / seeds));
     }
   [pool release];
   return 0;

@@ -131,6 +131,15 @@ for pair in '--check --format-scene' '--check --plan' \
   wrong "options '--check', '--format-scene' and '--plan' exclude each other" \
     pin.mdl "${both[@]}"
 done
+wrong "option '--noise' finds the number of rays itself: without '--samples' \
+and '--exposure'" pin.mdl --noise .1 --samples 4 -o x.exr
+for bad in stratified grid; do
+  wrong "option '--noise' takes the samplers owen and random" \
+    pin.mdl --noise .1 --sampler $bad -o x.exr
+done
+wrong "option '--confidence' needs '--noise'" pin.mdl --confidence .9 -o x.exr
+wrong "option '--max-samples' needs '--noise'" pin.mdl --max-samples 99 \
+  -o x.exr
 wrong "option '--exposure' needs a camera with a lens: focus, fstop, exposure" \
   pin.mdl --exposure 4 -o x.exr
 same "$(ls)" "$(printf '%s\n' err.txt lens.mdl out.txt pin.mdl)" \
@@ -153,6 +162,8 @@ right --samples 9 --sampler grid pin.mdl
 right --sampler random pin.mdl
 right --sampler owen --samples 3 lens.mdl
 right --sampler stratified --samples 3 lens.mdl
+right --noise 1/8 --confidence .9 lens.mdl
+right --noise .1 --sampler random --max-samples 100 pin.mdl
 right --exposure 3 lens.mdl
 right --crop 0,0,8,6 pin.mdl
 right --crop 7,5,8,6 pin.mdl
