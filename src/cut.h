@@ -64,61 +64,63 @@ enum cut_which
 
 struct cut_pair
 {
-  struct cut branch[2];
+  struct k_vec weight[2];
   double loss[2];       // what would be lost without it, at most
 };
 
-static inline double
-cut_loss_of(double weight, double ambient, double rest, double dis)
-{
-  return weight == 0 ? 0 : weight * (ambient == 0 ? rest
-                                     : ambient / dis + rest);
-}
-
 /** The most that a branch of generation `depth`, which starts `dis` from the
-    eye, could add to a channel of the eye ray's colour. A little more, for
-    what has been rounded. */
-static inline double
-cut_loss(const struct cut_rule *rule, const struct cut *branch,
-         unsigned depth, double dis)
+    eye, can bring back. */
+static inline struct k_vec
+cut_most(const struct cut_rule *rule, unsigned depth, double dis)
 {
-  const struct k_vec w = branch->weight;
   const struct cut_most *m;
   unsigned follow;
 
   if (depth > rule->generations)
     {
-      return 0;
+      return k_vec(0, 0, 0);
     }
   follow = rule->generations - depth;
   m = &rule->most[follow < rule->most_count ? follow : rule->most_count - 1];
-  double x = cut_loss_of(w.x, m->ambient.x, m->rest.x, dis);
-  double y = cut_loss_of(w.y, m->ambient.y, m->rest.y, dis);
-  double z = cut_loss_of(w.z, m->ambient.z, m->rest.z, dis);
+  return k_is_zero(m->ambient) ? m->rest
+    : k_add(k_vec(m->ambient.x == 0 ? 0 : m->ambient.x / dis,
+                  m->ambient.y == 0 ? 0 : m->ambient.y / dis,
+                  m->ambient.z == 0 ? 0 : m->ambient.z / dis), m->rest);
+}
+
+/** The largest channel of weight times most, where no weight of anything is
+    nothing; a little more, for what has been rounded. */
+static inline double
+cut_loss(struct k_vec weight, struct k_vec most)
+{
+  double x = weight.x == 0 ? 0 : weight.x * most.x;
+  double y = weight.y == 0 ? 0 : weight.y * most.y;
+  double z = weight.z == 0 ? 0 : weight.z * most.z;
+
   return (1 + 0x1p-30) * k_max2(x, k_max2(y, z));
 }
 
 /** Both branches of a ray that has hit something at the end of its path
     `dis`; they are of generation `depth`. A branch that does not exist loses
     nothing. The factors are those of shade_mirror and shade_blend. */
-static inline struct cut_pair
-cut_pair(const struct cut_rule *rule, const struct cut *parent,
-         struct k_vec specular, double alpha, double R, unsigned depth,
-         double dis)
+static inline void
+cut_pair(struct cut_pair *pair, const struct cut_rule *rule,
+         const struct cut *parent, struct k_vec specular, double alpha,
+         double R, unsigned depth, double dis)
 {
-  struct k_vec mirror = k_scale(specular, 1 - alpha);
   double bounce = alpha * R, through = alpha * (1 - R);
-  struct k_vec share[2] = { k_add(mirror, k_vec(bounce, bounce, bounce)),
-                            k_vec(through, through, through) };
-  struct cut_pair pair;
+  struct k_vec share = k_add(k_scale(specular, 1 - alpha),
+                             k_vec(bounce, bounce, bounce));
+  struct k_vec most = cut_most(rule, depth, dis);
 
-  for (int i = CUT_REFLECTED; i <= CUT_REFRACTED; i++)
+  pair->weight[CUT_REFLECTED] = k_mul(parent->weight, share);
+  pair->loss[CUT_REFLECTED] = cut_loss(pair->weight[CUT_REFLECTED], most);
+  pair->loss[CUT_REFRACTED] = 0;
+  if (through > 0)
     {
-      pair.branch[i].weight = k_mul(parent->weight, share[i]);
-      pair.branch[i].budget = pair.branch[i].error = 0;
-      pair.loss[i] = cut_loss(rule, &pair.branch[i], depth, dis);
+      pair->weight[CUT_REFRACTED] = k_scale(parent->weight, through);
+      pair->loss[CUT_REFRACTED] = cut_loss(pair->weight[CUT_REFRACTED], most);
     }
-  return pair;
 }
 
 // How much of what is left the first of two branches may lose. Measured on the
@@ -126,14 +128,14 @@ cut_pair(const struct cut_rule *rule, const struct cut *parent,
 // many rays are traced, with 0.9 four times as many among bubbles.
 #define CUT_FIRST 0.75
 
-/** Whether a branch is cut. Otherwise it gets its part of what its parent may
-    still lose: all of it when nothing comes after it. */
+/** Whether a branch is cut. If not, *branch gets its part of what its parent
+    may still lose: all of it when nothing comes after it. */
 static inline int
 cut_is(const struct cut_rule *rule, struct cut *parent,
-       struct cut_pair *pair, enum cut_which which, int is_too_deep)
+       const struct cut_pair *pair, enum cut_which which, int is_too_deep,
+       struct cut *branch)
 {
-  struct cut *branch = &pair->branch[which];
-  struct k_vec w = branch->weight;
+  struct k_vec w = pair->weight[which];
   double loss = pair->loss[which];
   double other = which == CUT_REFLECTED ? pair->loss[CUT_REFRACTED] : 0;
   double left = parent->budget - parent->error;
@@ -145,7 +147,9 @@ cut_is(const struct cut_rule *rule, struct cut *parent,
       parent->error += loss;
       return 1;
     }
+  branch->weight = w;
   branch->budget = may_lose;
+  branch->error = 0;
   return 0;
 }
 

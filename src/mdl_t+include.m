@@ -1,6 +1,7 @@
 #import "mdl_t.h"
 #import "diag_t.h"
 #import "errors.h"
+#import "fence.h"
 #include <errno.h>
 
 // Files of includes of files of includes come to an end here.
@@ -97,7 +98,15 @@
   return candidates;
 }
 
-/** The names that could have been meant: files where it was looked for. */
+/** Where the file of a path may be: an absolute path names one of the include
+    path's folders or is refused. */
+- (NSArray *) foldersFor: (NSString *)path
+{
+  return [path isAbsolutePath] ? path_folders : folders;
+}
+
+/** The names that could have been meant: files where it was looked for, and
+    may be. */
 - (NSArray *) neighbours: (NSString *)path
 {
   NSMutableArray *names = [NSMutableArray array];
@@ -106,9 +115,10 @@
 
   for (NSString *candidate in [self candidates: path])
     {
-      NSString *folder = [candidate stringByDeletingLastPathComponent];
-      NSArray *found = [manager contentsOfDirectoryAtPath:
-        [folder length] ? folder : @"." error: NULL];
+      NSString *folder
+        = fence_folder([candidate stringByDeletingLastPathComponent]);
+      NSArray *found = folder && fence_holds([self foldersFor: path], folder)
+        ? [manager contentsOfDirectoryAtPath: folder error: NULL] : nil;
       for (NSString *other in
            [found sortedArrayUsingSelector: @selector(compare:)])
         {
@@ -123,21 +133,32 @@
 {
   NSString *path = token_string(token);
   NSError *error = nil, *reason = nil;
+  BOOL isOutside = NO;
 
   for (NSString *candidate in [self candidates: path])
     {
-      source_t *source = [[source_t alloc] initWithInclude: candidate
-                                                     error: &error];
+      source_t *source
+        = [[source_t alloc] initWithInclude: candidate
+                                         in: [self foldersFor: path]
+                                      error: &error];
       if (source)
         {
           return [source autorelease];
         }
-      if ([error code] != ENOENT && [error code] != ENOTDIR && reason == nil)
+      isOutside |= [error code] == EXDEV;
+      if ([error code] != ENOENT && [error code] != ENOTDIR
+          && [error code] != EXDEV && reason == nil)
         {
           reason = error;
         }
     }
-  if (reason == nil)
+  if (isOutside)
+    {
+      FAULT(at, @"expected a file in the scene's folder, %@ lies outside of it;"
+            @" 'raytrace --include-path DIR' allows what is in DIR",
+            [self quote: token]);
+    }
+  else if (reason == nil)
     {
       FAULT(at, @"expected a file to include, found none of the name %@%@",
             [self quote: token],

@@ -12,6 +12,8 @@
 @interface mdl_t : reader_t
 {
   NSArray *include_path;
+  NSArray *path_folders;        // the same as real folders (fence.h)
+  NSArray *folders;             // and the scene's own
   NSArray *keywords;            // when they have been asked for
   unsigned include_count;       // that were tried
   BOOL is_too_much;             // more is to be included than may be

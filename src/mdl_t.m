@@ -1,5 +1,6 @@
 #import "mdl_t.h"
 #import "diag_t.h"
+#import "fence.h"
 #import "nff_t.h"
 #include "attribute_check.h"
 
@@ -18,6 +19,8 @@
 - (void) dealloc
 {
   [include_path release];
+  [path_folders release];
+  [folders release];
   [keywords release];
   [super dealloc];
 }
@@ -246,8 +249,32 @@
     }
 }
 
+/** Fixes where files may be included from. */
+- (void) fence: (source_t *)source
+{
+  NSMutableArray *allowed = [NSMutableArray array];
+  NSString *own
+    = fence_folder([source->name stringByDeletingLastPathComponent]);
+
+  for (NSString *folder in include_path)
+    {
+      NSString *real = fence_folder(folder);
+      if (real)
+        {
+          [allowed addObject: real];
+        }
+    }
+  path_folders = [allowed copy];
+  if (own)
+    {
+      [allowed addObject: own];
+    }
+  folders = [allowed copy];
+}
+
 - (void) read: (source_t *)source
 {
+  [self fence: source];
   if (![self enter: source from: 0])
     {
       return;

@@ -97,7 +97,8 @@ const struct option option_table[] = {
   { .heading = "Scene",
     .letter = 'I', .name = "include-path", .value = "DIR",
     .kind = OPTION_TEXTS, .offset = AT(includes),
-    .help = "look for included files in DIR too; may be repeated" },
+    .help = "look for included files in DIR too, and allow what is there; may be"
+            " repeated" },
   { .name = "check", .kind = OPTION_FLAG, .offset = AT(check),
     .help = "only read the scene and tell its faults" },
   { .name = "format-scene", .kind = OPTION_FLAG, .offset = AT(format_scene),

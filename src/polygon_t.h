@@ -23,6 +23,7 @@
   struct place place, material_place, solid_place;      // for messages
 @protected
   struct k_bounds box;
+  double grazing;       // k_polygon_grazing
 }
 
 /** Whether the ray's line meets the plane, and the distance *t, of any sign,

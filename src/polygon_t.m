@@ -136,6 +136,8 @@
       newell = plane.n = k_unit(normal);
       plane.q = [self vertexAt: 0];
       slack = 16 * K_U * k_max2(k_norm1(box.least), k_norm1(box.most));
+      const double *const v[3] = { vertex[0], vertex[1], vertex[2] };
+      grazing = k_polygon_grazing(&plane, count, v);
       [self checkPlanarity: block];
     }
   return self;
@@ -229,7 +231,7 @@
 
   return k_plane_hit(&plane, o, d, t)
     && (test != POLYGON_CROSSINGS
-        || k_polygon_settle(&plane, o, d, count, v, t));
+        || k_polygon_settle(&plane, o, d, grazing, count, v, t));
 }
 
 - (BOOL) holds: (ray_t *)ray at: (double)t

@@ -181,18 +181,20 @@
   return is_lit;
 }
 
-/** Whether a ray that would be spawned is not worth it. */
-- (BOOL) cuts: (enum cut_which)which of: (struct cut_pair *)pair
-           in: (model_t *)model
+/** Whether a ray that would be spawned is not worth it; if not, *branch is
+    what it is as a branch. */
+- (BOOL) cuts: (enum cut_which)which of: (const struct cut_pair *)pair
+           in: (model_t *)model as: (struct cut *)branch
 {
   return model->cut.is_on
-    && cut_is(&model->cut, &cut, pair, which, depth == model->max_depth);
+    && cut_is(&model->cut, &cut, pair, which, depth == model->max_depth,
+              branch);
 }
 
 /** What comes along the reflected ray. */
 - (struct k_vec) reflectionFrom: (vec_t *)P : (vec_t *)Ns
                              in: (model_t *)model
-                            cut: (const struct cut *)branch
+                             as: (const struct cut *)branch
 {
   vec_t *r = [vec_t vec: shade_renew([dir reflect: Ns]->v)];
   ray_t *reflection = [(ray_t *)[ray_t alloc] init: P : r
@@ -209,7 +211,7 @@
 /** What comes along the refracted ray, which runs along t in `inside`. */
 - (struct k_vec) refractionFrom: (vec_t *)P : (vec_t *)t
                              in: (model_t *)model media: (media_t *)inside
-                            cut: (const struct cut *)branch
+                             as: (const struct cut *)branch
 {
   ray_t *refraction = [(ray_t *)[ray_t alloc] init: P : t
                                               from: self through: YES];
@@ -302,6 +304,7 @@
   media_t *inside = nil;
   vec_t *t = nil;
   struct cut_pair pair = { 0 };
+  struct cut branch = { 0 };
 
   if (m->alpha > 0)
     {
@@ -309,13 +312,13 @@
     }
   if (model->cut.is_on)
     {
-      pair = cut_pair(&model->cut, &cut, m->specular, m->alpha, R, depth + 1,
-                      dis);
+      cut_pair(&pair, &model->cut, &cut, m->specular, m->alpha, R, depth + 1,
+               dis);
     }
-  if ((is_mirror || R > 0) && ![self cuts: CUT_REFLECTED of: &pair in: model])
+  if ((is_mirror || R > 0)
+      && ![self cuts: CUT_REFLECTED of: &pair in: model as: &branch])
     {
-      reflected = [self reflectionFrom: P : Ns in: model
-                                   cut: &pair.branch[CUT_REFLECTED]];
+      reflected = [self reflectionFrom: P : Ns in: model as: &branch];
     }
   if (is_mirror)
     {
@@ -323,10 +326,11 @@
     }
   if (m->alpha > 0)
     {
-      if (R < 1 && ![self cuts: CUT_REFRACTED of: &pair in: model])
+      if (R < 1
+          && ![self cuts: CUT_REFRACTED of: &pair in: model as: &branch])
         {
           refracted = [self refractionFrom: P : t in: model media: inside
-                                       cut: &pair.branch[CUT_REFRACTED]];
+                                        as: &branch];
         }
       color = shade_blend(color, m->alpha, R, refracted, reflected);
     }

@@ -26,8 +26,10 @@
     text has, it stops. */
 - (id) initWithScene: (NSString *)path error: (NSError **)error;
 
-/** The same with a file that is included: an ordinary one. */
-- (id) initWithInclude: (NSString *)path error: (NSError **)error;
+/** The same with a file that is included: an ordinary one that lies in one of
+    the folders (fence_folder); the error is EXDEV if it lies elsewhere. */
+- (id) initWithInclude: (NSString *)path in: (NSArray *)folders
+                 error: (NSError **)error;
 
 /** What was read, as it is in the file. */
 - (NSData *) bytes;

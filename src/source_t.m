@@ -1,4 +1,5 @@
 #import "source_t.h"
+#import "fence.h"
 #include "grow.h"
 #include "large.h"
 #include "utf8.h"
@@ -99,18 +100,13 @@ read_all(int fd, size_t expected, BOOL is_awaited, size_t *size)
 
 @implementation source_t
 
-- (BOOL) readFrom: (int)fd isInclude: (BOOL)is_include
+- (BOOL) readFrom: (int)fd
 {
   struct stat status;
   size_t size;
 
   if (fstat(fd, &status) != 0)
     {
-      return NO;
-    }
-  if (is_include && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode))
-    {
-      errno = EINVAL;
       return NO;
     }
   device = status.st_dev;
@@ -152,18 +148,17 @@ error_of(int reason)
                          userInfo: info];
 }
 
-- (id) initWithFile: (NSString *)path isInclude: (BOOL)is_include
-              error: (NSError **)error
+/** Reads what has been opened, unless that failed, and closes it. */
+- (id) initWithFile: (int)fd name: (NSString *)path error: (NSError **)error
 {
+  int reason = errno;
+
   if ((self = [super init]))
     {
-      BOOL is_standard = !is_include && [path isEqual: @"-"];
-      int fd = is_standard ? STDIN_FILENO
-        : open([path UTF8String], O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-      BOOL is_read = fd >= 0 && [self readFrom: fd isInclude: is_include];
-      int reason = errno;
+      BOOL is_read = fd >= 0 && [self readFrom: fd];
 
-      if (fd >= 0 && !is_standard)
+      reason = fd >= 0 ? errno : reason;
+      if (fd > STDIN_FILENO)
         {
           close(fd);
         }
@@ -180,12 +175,17 @@ error_of(int reason)
 
 - (id) initWithScene: (NSString *)path error: (NSError **)error
 {
-  return [self initWithFile: path isInclude: NO error: error];
+  int fd = [path isEqual: @"-"] ? STDIN_FILENO
+    : open([path UTF8String], O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+
+  return [self initWithFile: fd name: path error: error];
 }
 
-- (id) initWithInclude: (NSString *)path error: (NSError **)error
+- (id) initWithInclude: (NSString *)path in: (NSArray *)folders
+                 error: (NSError **)error
 {
-  return [self initWithFile: path isInclude: YES error: error];
+  return [self initWithFile: fence_open(path, folders) name: path
+                      error: error];
 }
 
 - (void) dealloc

@@ -40,6 +40,9 @@ struct name
       [self addKind: (struct token){ "light", 5 } class: [light_t class]];
       [self addKind: (struct token){ "material", 8 }
               class: [material_t class]];
+      // Never NULL: the place of the first attribute of none is asked for.
+      grow((void **)&givens, 0, &given_capacity, sizeof *givens);
+      grow((void **)&values, 0, &value_capacity, sizeof *values);
     }
   return self;
 }

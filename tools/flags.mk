@@ -7,6 +7,7 @@
 #   sanitize    gcc with the address and undefined behaviour sanitizers
 #   gcc-O0      gcc without optimisation
 #   clang-O2    clang 16
+#   fuzz        clang 16 with the sanitizers, for tests/fuzz
 #
 # CC=…, OPT=… and SANITIZE=… on the command line change any of them.
 
@@ -20,6 +21,10 @@ else ifeq ($(BUILD),gcc-O0)
 else ifeq ($(BUILD),clang-O2)
   CC = clang-16
   OPT = -O2
+else ifeq ($(BUILD),fuzz)
+  CC = clang-16
+  OPT = -O1 -fno-omit-frame-pointer
+  SANITIZE = fuzzer-no-link,address,undefined
 endif
 
 ifeq ($(origin CC),default)

@@ -159,7 +159,9 @@ k_polygon_plane_hit(const struct k_polygon *polygon, const struct k_ray *ray,
 {
   return k_plane_hit(&polygon->plane, ray->o, ray->d, t)
     && (polygon->test != 0
-        || k_polygon_settle(&polygon->plane, ray->o, ray->d, polygon->n, polygon->vertex, t));
+        || k_polygon_settle(&polygon->plane, ray->o, ray->d,
+                            polygon->grazing, polygon->n, polygon->vertex,
+                            t));
 }
 
 /** A face of a clear solid that is not convex: -[solid_t search:isInside:]. */

@@ -56,19 +56,39 @@ k_polygon_crossings(struct k_vec o, const struct k_shear *shear, unsigned n,
 // distance that has lost a quarter of its digits or all.
 #define K_GRAZING 0x1p-12
 
+/** How flat against its plane a ray must be for k_polygon_settle: K_GRAZING,
+    or any way it runs (2) when a corner is off the plane by more than the
+    padding of the box, since the plane then is met outside of the box. */
+static inline double
+k_polygon_grazing(const struct k_plane *plane, unsigned n,
+                  const double *const v[3])
+{
+  double off = 0, size = 0;
+
+  for (unsigned i = 0; i < n; i++)
+    {
+      struct k_vec p = k_vec(v[0][i], v[1][i], v[2][i]);
+      off = k_max2(off, fabs(k_dot(plane->n, k_sub(p, plane->q))));
+      size = k_max2(size, k_norm_max(p));
+    }
+  return off > 0x1p-50 * size ? 2 : K_GRAZING;
+}
+
 /** For crossings, which look at the line only: moves the distance at which a
     ray meets a polygon's plane to where the ray is in the polygon's box, if it
-    grazes and rounding has put that elsewhere. So the hit is never in front of
+    grazes and rounding has put that elsewhere, or if the polygon is not quite
+    flat (grazing: k_polygon_grazing). So the hit is never in front of
     the box, and whoever has something nearer may leave out the polygon. 0 when
     the ray misses the box. */
 static inline int
 k_polygon_settle(const struct k_plane *plane, struct k_vec o, struct k_vec d,
-                 unsigned n, const double *const v[3], double *t)
+                 double grazing, unsigned n, const double *const v[3],
+                 double *t)
 {
   struct k_bounds box = k_nothing();
   double t_in = -HUGE_VAL, t_out = HUGE_VAL;
 
-  if (fabs(k_dot(plane->n, d)) >= K_GRAZING)
+  if (fabs(k_dot(plane->n, d)) >= grazing)
     {
       return 1;
     }

@@ -1,5 +1,6 @@
 // k_scene.c - gathering a scene.
 
+#include "k_polygon_hit.h"
 #include "k_scene.h"
 #include "../large.h"
 #include <stdlib.h>
@@ -192,8 +193,9 @@ k_add_polygon(struct k_scene *scene, struct k_surface s,
   polygon->newell = newell;
   polygon->n = n;
   polygon->test = test;
-  polygon->grid = test == 0 ? k_polygon_grid(&plane, n, polygon->vertex)
-    : NULL;
+  polygon->grazing = k_polygon_grazing(&plane, n, polygon->vertex);
+  polygon->grid = test == 0 && polygon->grazing == K_GRAZING
+    ? k_polygon_grid(&plane, n, polygon->vertex) : NULL;
   polygon->s = s;
 }
 

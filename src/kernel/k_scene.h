@@ -26,6 +26,7 @@ struct k_polygon
   const double *vertex[3];      // into k_scene.vertices
   unsigned n;
   int test;
+  double grazing;               // k_polygon_grazing
   struct k_polygon_grid *grid;  // or NULL
   struct k_surface s;
 };

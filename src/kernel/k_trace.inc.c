@@ -197,19 +197,14 @@ trace_children(const struct k_scene *scene, struct k_ray *children,
   return 1;
 }
 
-/** Whether a ray that a point would spawn is not worth it: -[ray_t cuts:of:in:].
-    *cut is then that ray's. */
+/** Whether a ray that a point would spawn is not worth it: -[ray_t
+    cuts:of:in:as:]. *cut is what it is cut as otherwise. */
 static inline int
 is_cut(const struct k_scene *scene, struct point *p, enum cut_which which,
        unsigned depth, struct cut *cut)
 {
-  if (cut_is(&scene->settings.cut, p->cut, &p->pair, which,
-             depth == scene->settings.max_depth))
-    {
-      return 1;
-    }
-  *cut = p->pair.branch[which];
-  return 0;
+  return cut_is(&scene->settings.cut, p->cut, &p->pair, which,
+                depth == scene->settings.max_depth, cut);
 }
 
 /** What comes along the reflected rays of the points that have one. */
@@ -373,8 +368,8 @@ trace_either(const struct k_scene *scene, struct k_ray *rays, unsigned n,
           continue;
         }
       p->cut = &cuts[p->ray - rays];
-      p->pair = cut_pair(&scene->settings.cut, p->cut, p->m->specular,
-                         p->m->alpha, p->R, depth + 1, p->ray->dis);
+      cut_pair(&p->pair, &scene->settings.cut, p->cut, p->m->specular,
+               p->m->alpha, p->R, depth + 1, p->ray->dis);
     }
   reflect_all(scene, points, count, depth, children, of, cuts != NULL);
   if (is_clear)

@@ -103,12 +103,12 @@ timeout 3.5 "$RAYTRACE" --check pipe >out.txt 2>err.txt
 same "$?" 124 "a pipe waits for its writer"
 wait
 says 4 "raytrace: cannot read 'pipe': Nobody writes to this pipe" --check pipe
-for name in pipe /dev/zero /dev/null; do
+for name in pipe /dev/zero /dev/null; do # allowed, and still no files
   { cat good.mdl; echo "include $name"; } >odd.mdl
   says 3 "odd.mdl:4:9: error: expected a file to include, '$name' cannot be \
 read: Not an ordinary file
    4 | include $name
-     |         ^" --check odd.mdl
+     |         ^" --check -I /dev odd.mdl
 done
 
 # NFF, whatever its suffix is written with

@@ -49,9 +49,89 @@ test_places(void)
        "the including file's folder comes first");
   PASS(load_file("main.mdl", [NSArray array]).faults == 1,
        "without the include path one file is missing");
-  load_write("absolute.mdl", [[NSString stringWithFormat: @CAMERA
-    "include \"%@\"\n", load_path("twin.mdl")] UTF8String]);
-  PASS(load_file("absolute.mdl", [NSArray array]).model, "an absolute path");
+}
+
+/** A scene with one include of this path. */
+static struct load
+load_fenced(const char *path, NSArray *include_path)
+{
+  load_write("scene/main.mdl", [[NSString stringWithFormat: @CAMERA
+    "include \"%s\"\n", path] UTF8String]);
+  return load_file("scene/main.mdl", include_path);
+}
+
+/** Nothing outside of the scene's folder is read, however it is written. */
+static void
+test_fence(void)
+{
+  NSFileManager *manager = [NSFileManager defaultManager];
+  NSArray *none = [NSArray array];
+  NSArray *all = [NSArray arrayWithObject: load_path("outside")];
+  const char *secret = [load_path("outside/secret.mdl") UTF8String];
+  const char *own = [load_path("scene/own.mdl") UTF8String];
+
+  for (NSString *folder in [NSArray arrayWithObjects: load_path("scene/sub"),
+                                    load_path("scene2"), load_path("outside"),
+                                    nil])
+    {
+      [manager createDirectoryAtPath: folder
+         withIntermediateDirectories: YES attributes: nil error: NULL];
+    }
+  load_write("outside/secret.mdl", GLASS);
+  load_write("scene2/twin.mdl", GLASS);
+  load_write("scene/own.mdl", GLASS);
+  load_write("scene/sub/up.mdl", "include ../own.mdl\n");
+  load_write("scene/sub/out.mdl", "include ../../outside/secret.mdl\n");
+  (void)!symlink("../outside/secret.mdl", [load_path("scene/link.mdl")
+                                            UTF8String]);
+  (void)!symlink("../outside", [load_path("scene/linked") UTF8String]);
+  (void)!symlink("sub/../own.mdl", [load_path("scene/inner.mdl") UTF8String]);
+
+  const struct
+    {
+      const char *path, *what;
+      BOOL isAllowed, isWithPath;       // without and with --include-path
+    }
+  cases[] = {
+    { "own.mdl", "its own folder", YES, YES },
+    { "sub/up.mdl", "up from a folder in it", YES, YES },
+    { "sub/../own.mdl", "down and up", YES, YES },
+    { "../scene/own.mdl", "out and in again", YES, YES },
+    { "inner.mdl", "a link that stays inside", YES, YES },
+    { "../outside/secret.mdl", "..", NO, YES },
+    { "sub/out.mdl", ".. in an included file", NO, YES },
+    { secret, "an absolute path", NO, YES },
+    { own, "an absolute path into its own folder", NO, NO },
+    { "link.mdl", "a link to a file", NO, YES },
+    { "linked/secret.mdl", "a link to a folder", NO, YES },
+    { "../scene2/twin.mdl", "a folder whose name begins the same", NO, NO },
+    { "/etc/passwd", "a file of the system", NO, NO },
+    { "/dev/zero", "a device", NO, NO }
+  };
+
+  for (unsigned i = 0; i < sizeof cases / sizeof *cases; i++)
+    {
+      struct load without = load_fenced(cases[i].path, none);
+      PASS((without.model != nil) == cases[i].isAllowed
+           && (cases[i].isAllowed
+               || [without.report rangeOfString: @"lies outside"].length),
+           "%s: %s", cases[i].what, cases[i].isAllowed ? "read" : "not read");
+      PASS((load_fenced(cases[i].path, all).model != nil)
+           == cases[i].isWithPath, "%s, with an include path that has the"
+           " secret", cases[i].what);
+    }
+
+  NSString *want = [NSString stringWithFormat:
+    @"%@:2:9: error: expected a file in the scene's folder,"
+     " '../outside/secret.mdl' lies outside of it;"
+     " 'raytrace --include-path DIR' allows what is in DIR\n"
+     "   2 | include \"../outside/secret.mdl\"\n     |         ^\n",
+    load_path("scene/main.mdl")];
+  PASS(is_text(load_fenced("../outside/secret.mdl", none).report,
+               [want UTF8String]), "what is told of it");
+  PASS(![load_fenced("../outside/secre.mdl", none).report
+          rangeOfString: @"did you mean"].length,
+       "names of files outside are not told");
 }
 
 static void
@@ -171,6 +251,7 @@ main(void)
   NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
 
   test_places();
+  test_fence();
   test_text();
   test_chain();
   test_depth();
