@@ -17,6 +17,7 @@
 #import "ppm_t.h"
 #import "progress_t.h"
 #import "sha256.h"
+#include "batches.h"
 #include "version.h"
 #include <unistd.h>
 
@@ -194,7 +195,12 @@
     .threads = [self threads],
     .seed = settings->seed,
     .samples = (unsigned)settings->samples,
-    .sampler = (enum sampler)settings->sampler
+    .sampler = (enum sampler)settings->sampler,
+    .noise = settings->noise,
+    .errors = student_quantile(settings->confidence > 0
+                               ? settings->confidence : 0.95, BATCHES - 1),
+    .max_samples = settings->max_samples ? (unsigned)settings->max_samples
+    : 65536
   };
 
   return how;
@@ -207,7 +213,8 @@
   const struct settings *settings = &options->settings;
   BOOL is_cut = settings->min_weight >= 0 || settings->max_error > 0;
 
-  return (unsigned)settings->aovs | (is_cut ? AOV_TRUNCATION : 0);
+  return (unsigned)settings->aovs | (is_cut ? AOV_TRUNCATION : 0)
+    | (settings->noise > 0 ? AOV_SAMPLING | AOV_SAMPLES : 0);
 }
 
 - (struct shade_choice) choice
@@ -288,6 +295,12 @@
     {
       return NO;
     }
+  if (settings->noise > 0
+      && !([image addPlane: PLANE_SAMPLING error: error]
+           && [image addPlane: PLANE_SAMPLES error: error]))
+    {
+      return NO;
+    }
   [self setCut];
   model->choice = [self choice];
   id <engine_t> engine = [self newEngine: error];
@@ -315,6 +328,10 @@
   [render release];
   [engine release];
   nanCount = [image makeFinite];
+  if (settings->noise > 0)
+    {
+      stats->noise = noise_facts_of(image, settings->noise);
+    }
   [stats errorsOf: image];
   [stats ended: PHASE_TRACE];
   return YES;

@@ -32,14 +32,30 @@ const struct option option_table[] = {
     .offset = AT(samples), .count = 1, .least = 1, .most = MILLION,
     .standard = 1, .is_shaping = YES, .help = "rays through each pixel" },
   { .name = "sampler", .value = "WORD", .kind = OPTION_WORD,
-    .offset = AT(sampler), .words = "random grid", .is_shaping = YES,
-    .help = "where in a pixel they go, for more than one: random, or grid"
-            " (N is 4, 9, 16 ...)" },
+    .offset = AT(sampler), .words = "owen random stratified grid",
+    .is_shaping = YES,
+    .help = "where in a pixel and on the lens rays go: owen, spread evenly;"
+            " random, as in the notes; stratified, one in each of N parts;"
+            " grid (N is 1, 4, 9 ...), regular, and random on the lens" },
   { .name = "exposure", .value = "N", .kind = OPTION_WHOLE,
     .offset = AT(exposure), .count = 1, .least = 1, .most = 1000 * MILLION,
     .is_shaping = YES,
     .help = "rays through the lens for each sample, in place of the"
             " camera's exposure" },
+  { .name = "noise", .value = "E", .kind = OPTION_NUMBER,
+    .offset = AT(noise), .low = 0, .high = 1e9, .is_above_low = YES,
+    .is_shaping = YES,
+    .help = "as many rays through each pixel, and through the lens, as make"
+            " its error at most E; an .exr then has the channels"
+            " error.sampling and samples" },
+  { .name = "confidence", .value = "C", .kind = OPTION_NUMBER,
+    .offset = AT(confidence), .low = 0.5, .high = 0.9999, .is_shaping = YES,
+    .help = "the share of pixels whose error is at most what --noise states,"
+            " 0.95 unless given" },
+  { .name = "max-samples", .value = "N", .kind = OPTION_WHOLE,
+    .offset = AT(max_samples), .count = 1, .least = 36, .most = 1000 * MILLION,
+    .is_shaping = YES,
+    .help = "most rays through a pixel with --noise, 65536 unless given" },
   { .name = "seed", .value = "N", .kind = OPTION_WHOLE, .offset = AT(seed),
     .count = 1, .most = UINT64_MAX,
     .help = "another seed, other random numbers" },

@@ -49,6 +49,8 @@ struct settings
   uint64_t crop[4];             // x0 y0 x1 y1; x0 NO_CROP: not given
   uint64_t aovs;                // sum of enum aov
   uint64_t seed, samples, sampler, exposure;    // exposure 0: the model's
+  double noise, confidence;     // 0: not given
+  uint64_t max_samples;         // 0: not given
   uint64_t max_depth, polygon_test, engine, isa;
   uint64_t fresnel;             // 1: exact
   uint64_t no_shadows, no_reflection, no_refraction, no_depth_of_field;

@@ -3,6 +3,7 @@
 #import "options_t.h"
 #import "diag_t.h"
 #import "option.h"
+#include "ray_places.h"
 #include "attribute_check.h"
 #include <string.h>
 #include <sys/stat.h>
@@ -208,11 +209,27 @@ is_square(uint64_t n)
     {
       return @"option '--crop' takes X0,Y0,X1,Y1 with X0 < X1 and Y0 < Y1";
     }
-  if (settings.sampler == 1 && !is_square(settings.samples))
+  if (settings.sampler == SAMPLER_GRID && !is_square(settings.samples))
     {
       return [NSString stringWithFormat: @"sampler grid takes a square number "
                        @"of samples (1, 4, 9, 16 ...), not %llu",
                        (unsigned long long)settings.samples];
+    }
+  if (settings.noise > 0 && (settings.samples > 1 || settings.exposure))
+    {
+      return @"option '--noise' finds the number of rays itself: without"
+        @" '--samples' and '--exposure'";
+    }
+  if (settings.noise > 0 && settings.sampler != SAMPLER_OWEN
+      && settings.sampler != SAMPLER_RANDOM)
+    {
+      return @"option '--noise' takes the samplers owen and random";
+    }
+  if (settings.noise == 0 && (settings.confidence > 0 || settings.max_samples))
+    {
+      return [NSString stringWithFormat: @"option '%s' needs '--noise'",
+                       settings.max_samples ? "--max-samples"
+                       : "--confidence"];
     }
   if (settings.check || settings.format_scene || settings.plan)
     {

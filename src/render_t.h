@@ -4,14 +4,7 @@
 
 #import <Foundation/Foundation.h>
 #import "engine_t.h"
-
-@class camera_t;
-
-enum sampler
-{
-  SAMPLER_RANDOM,       // the notes' rand(), seeded
-  SAMPLER_GRID          // n x n, regular
-};
+#include "ray_places.h"
 
 struct render_options
 {
@@ -19,6 +12,10 @@ struct render_options
   uint64_t seed;
   unsigned samples;     // rays through each pixel; 1: through its point
   enum sampler sampler;
+  double noise;         // above 0: as many rays, until the error that a pixel
+                        // states is at most this; owen or random
+  double errors;        // such an error is this many standard errors
+  unsigned max_samples; // or no more than so many rays
 };
 
 @interface render_t : NSObject
@@ -43,5 +40,17 @@ struct render_options
 
 /** How much is done, 0 to 1; for a progress bar on another thread. */
 - (double) done;
+
+/** Where rays go, of no pixel yet. */
+- (struct ray_places) places;
+
+@end
+
+@interface render_t (adaptive)
+
+/** The pixels of a window, at most 32, with as many rays as each needs. The
+    image has the planes PLANE_SAMPLES and PLANE_SAMPLING. */
+- (void) adaptivePixelsOf: (struct window)w
+                 counters: (struct counters *)count;
 
 @end

@@ -115,6 +115,18 @@ error_text_of(double error)
             scene.nodes, scene.depth, text_of(scene.cost)];
       [text appendFormat: @"scene      %16zu bytes\n", scene.bytes];
     }
+  if (noise.pixels)
+    {
+      [text appendFormat: @"noise      %16" PRIu64 " pixels\n", noise.pixels];
+      [text appendFormat: @"           %16" PRIu64 " rays through them\n",
+            noise.rays];
+      [text appendFormat: @"           %16@ largest stated error\n",
+            error_text_of(noise.largest)];
+      [text appendFormat: @"           %16@ root of their mean square\n",
+            error_text_of(noise.rms)];
+      [text appendFormat: @"           %16" PRIu64 " pixels above the limit\n",
+            noise.capped];
+    }
   return text;
 }
 
@@ -149,6 +161,14 @@ error_text_of(double error)
       [json appendFormat: @", \"error\": {\"truncation\": {\"most\": %@,"
             @" \"mean\": %@}}", error_text_of(truncation_most),
             error_text_of(truncation_mean)];
+    }
+  if (noise.pixels)
+    {
+      [json appendFormat: @", \"noise\": {\"pixels\": %" PRIu64
+            @", \"rays\": %" PRIu64 @", \"largest\": %@, \"rms\": %@,"
+            @" \"capped\": %" PRIu64 "}", noise.pixels, noise.rays,
+            error_text_of(noise.largest), error_text_of(noise.rms),
+            noise.capped];
     }
   [json appendString: @"}\n"];
   return json;

@@ -139,6 +139,12 @@ main(void)
   options.seed = 99;
   threads(lens, options, "two samples");
   crops(lens, options, "two samples");
+  options.sampler = SAMPLER_OWEN;
+  threads(lens, options, "owen");
+  crops(lens, options, "owen");
+  options.sampler = SAMPLER_STRATIFIED;
+  threads(lens, options, "stratified");
+  crops(lens, options, "stratified");
   rows();
   empty();
   [pool release];
