@@ -124,13 +124,13 @@
     {
       [camera resizeTo: (unsigned)size[0] : (unsigned)size[1]];
     }
-  if (settings->exposure && !camera->has_lens)
+  if ([options isGiven: "exposure"] && !camera->has_lens)
     {
       *error = error_saying(STATUS_USAGE, @"option '--exposure' needs a "
                             @"camera with a lens: focus, fstop, exposure");
       return NO;
     }
-  if (settings->exposure)
+  if (settings->exposure && camera->has_lens)
     {
       camera->exposure = (unsigned)settings->exposure;
     }

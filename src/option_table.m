@@ -28,6 +28,14 @@ const struct option option_table[] = {
     .standard = NO_CROP,
     .help = "only the pixels from column X0 and row Y0, counted from the top"
             " left corner, up to but without X1 and Y1" },
+  { .name = "quality", .value = "WORD", .kind = OPTION_WORD,
+    .offset = AT(quality), .words = "draft low medium high reference",
+    .standard = UINT64_MAX,
+    .help = "samples, exposure and max-error that go together: draft, low,"
+            " medium, high or reference; what is given itself wins" },
+  { .name = "show-quality", .kind = OPTION_FLAG, .offset = AT(show_quality),
+    .help = "what each quality sets, its time and its error, on standard"
+            " output" },
   { .name = "samples", .value = "N", .kind = OPTION_WHOLE,
     .offset = AT(samples), .count = 1, .least = 1, .most = MILLION,
     .standard = 1, .is_shaping = YES, .help = "rays through each pixel" },

@@ -3,6 +3,7 @@
 #import "options_t.h"
 #import "diag_t.h"
 #import "option.h"
+#import "quality.h"
 #include "ray_places.h"
 #include "attribute_check.h"
 #include <string.h>
@@ -192,7 +193,7 @@ is_square(uint64_t n)
 {
   const uint64_t *crop = settings.crop;
 
-  if (settings.help || settings.version)
+  if (settings.help || settings.version || settings.show_quality)
     {
       return nil;
     }
@@ -270,6 +271,7 @@ is_square(uint64_t n)
       [arguments addObject: argument];
     }
   NSString *wrong = [self readAll: arguments];
+  quality_apply(self);
   return wrong ? wrong : [self disagreement];
 }
 
