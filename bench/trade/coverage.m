@@ -121,7 +121,8 @@ main(int argc, char **argv)
     }
   model_t *model =
     [parser_t modelFromFile: [NSString stringWithUTF8String: argv[1]]
-                includePath: machine_models() options: how
+                includePath: [NSArray arrayWithObject: @"models"]
+                    options: how
                        diag: [[[diag_t alloc] init] autorelease]
                        text: NULL canonical: NULL error: &error];
   if (model == nil)
