@@ -61,7 +61,12 @@ ask_object(void *shape, const struct k_surface *s, struct k_ray *ray)
       ray->hit.surface = s;
       ray->hit.P = twin->hit.P;
       ray->hit.N = twin->hit.N;
-      ray->hit.finish = K_FINISHED;
+      ray->hit.finish = twin->hit.is_compensated ? K_FINISHED_COMPENSATED
+        : K_FINISHED;
+    }
+  if (twin->tie == ray->hit.t)
+    {
+      ray->tie = twin->tie;
     }
   [twin release];
   [dir release];

@@ -20,6 +20,29 @@ shade_reflect(struct k_vec D, struct k_vec N)
   return k_vec(D.x - two_c * N.x, D.y - two_c * N.y, D.z - two_c * N.z);
 }
 
+/** n^2 k of Snell's law, below: c = -D.N, along = D + c N. */
+static inline double
+shade_n2k(double c, struct k_vec along, double n)
+{
+  if (n * n > 0.5)
+    {
+      return (n - 1) * (n + 1) + c * c;
+    }
+  double s = k_length(along);
+  return (n - s) * (n + s);
+}
+
+/** Whether it is refracted or totally reflected hangs on the last bits:
+    |k| < 4 u, for n = n_t / n_i other than 1. */
+static inline int
+shade_is_critical(struct k_vec D, struct k_vec N, double n)
+{
+  double c = -k_dot(D, N);
+
+  return n != 1
+    && fabs(shade_n2k(c, k_along(D, c, N), n)) < 4 * K_U * (n * n);
+}
+
 /** Notes, "transmission": Snell's law. D and N are unit and D.N < 0;
     n = n_t / n_i, so going in is `refract(D, N, ior)` and going out
     `refract(D, -N, 1/ior)`. At total internal reflection the result is
@@ -35,7 +58,6 @@ shade_refract(struct k_vec D, struct k_vec N, double n, int *tir)
 {
   double c = -k_dot(D, N);
   struct k_vec along = k_along(D, c, N);        // the part along the surface
-  double n2k;
 
   if (tir)
     {
@@ -45,15 +67,7 @@ shade_refract(struct k_vec D, struct k_vec N, double n, int *tir)
     {
       return D;
     }
-  if (n * n > 0.5)
-    {
-      n2k = (n - 1) * (n + 1) + c * c;
-    }
-  else
-    {
-      double s = k_length(along);
-      n2k = (n - s) * (n + s);
-    }
+  double n2k = shade_n2k(c, along, n);
   if (n2k < 0)
     {
       if (tir)

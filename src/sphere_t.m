@@ -77,15 +77,23 @@
     {
       return;
     }
+  BOOL is_met = NO;
   if ([ray wants: t0])
     {
       struct k_vec N = k_sphere_normal(p, s, -1, ray->dir->v);
-      [ray meets: self at: t0 normal: N point: k_along(center, radius, N)];
+      is_met |= [ray meets: self at: t0 normal: N
+                     point: k_along(center, radius, N)];
     }
   if ([ray wants: t1])
     {
       struct k_vec N = k_sphere_normal(p, s, +1, ray->dir->v);
-      [ray meets: self at: t1 normal: N point: k_along(center, radius, N)];
+      is_met |= [ray meets: self at: t1 normal: N
+                     point: k_along(center, radius, N)];
+    }
+  if (is_met)
+    {
+      ray->hit.is_compensated
+        = k_sphere_is_compensated(ray->pos->v, center, radius);
     }
 }
 

@@ -11,6 +11,7 @@
 enum k_finish
 {
   K_FINISHED,           // they are there
+  K_FINISHED_COMPENSATED,       // and a user's shape says so: hit of ray_t
   K_FINISH_PLANE,       // P on the plane, N its normal
   K_FINISH_SPHERE       // N along N as it stands, P from it
 };
@@ -40,6 +41,7 @@ struct k_ray
   const struct k_media *media;
   unsigned only;                // the one medium whose surface is asked; 0: all
   struct k_hit hit;
+  double tie;                   // the last t where two surfaces were met
   struct counters *counters;
 };
 
@@ -62,6 +64,7 @@ k_ray_start(struct k_ray *ray, struct k_vec o, struct k_vec d,
   ray->only = 0;
   ray->hit.t = HUGE_VAL;
   ray->hit.surface = NULL;
+  ray->tie = -1;
   ray->counters = counters;
 }
 
@@ -109,12 +112,22 @@ k_is_end(const struct k_ray *ray, const struct k_surface *s, double t,
     && !((ray->end - t) * fabs(n_dot_d) > ray->end_slack + s->slack);
 }
 
+/** Whether a surface at the distance of the hit so far takes its place. */
+static __attribute__((cold, noinline, unused)) int
+k_wins_tie(struct k_ray *ray, const struct k_surface *s)
+{
+  if (s != ray->hit.surface)
+    {
+      ray->tie = ray->hit.t;
+    }
+  return s->number < ray->hit.surface->number;
+}
+
 /** Whether it is nearer than the hit so far; equal t: the lower number. */
 static inline int
-k_is_nearer(const struct k_ray *ray, const struct k_surface *s, double t)
+k_is_nearer(struct k_ray *ray, const struct k_surface *s, double t)
 {
-  return t < ray->hit.t
-    || (t == ray->hit.t && s->number < ray->hit.surface->number);
+  return t < ray->hit.t || (t == ray->hit.t && k_wins_tie(ray, s));
 }
 
 /** -[ray_t exits:…] with everything known. */

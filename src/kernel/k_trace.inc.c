@@ -154,6 +154,14 @@ refract(const struct k_scene *scene, struct point *p, struct k_media *room)
       n_i = ior;
       n_t = p->inside ? p->inside->ior : 1;
     }
+  if (medium && !goes_in && p->inside == ray->media)
+    {
+      ray->counters->unbalanced++;
+    }
+  if (shade_is_critical(ray->d, p->Ns, n_t / n_i))
+    {
+      ray->counters->critical++;
+    }
   struct k_vec T = shade_refract(ray->d, p->Ns, n_t / n_i, &tir);
   p->R = tir ? 1 : shade_schlick(ray->d, p->Ns, T, n_i, n_t);
   p->t = medium && n_i != n_t ? shade_renew(T) : ray->d;
@@ -304,6 +312,10 @@ trace_ambient(const struct k_scene *scene, struct k_ray *rays, unsigned n,
   for (unsigned i = 0; i < n; i++)
     {
       const struct k_hit *hit = &rays[i].hit;
+      if (hit->surface)
+        {
+          count_hit(scene, &rays[i]);
+        }
       colors[i] = hit->surface
         ? shade_ambient(scene->materials[hit->surface->material].ambient,
                         rays[i].dis + hit->t)
@@ -331,6 +343,7 @@ trace_either(const struct k_scene *scene, struct k_ray *rays, unsigned n,
           colors[i] = scene->settings.background;
           continue;
         }
+      count_hit(scene, ray);
       finish_hit(ray);
       if (ray->media && any_is_left(scene, ray))
         {
