@@ -61,12 +61,12 @@ ask_object(void *shape, const struct k_surface *s, struct k_ray *ray)
       ray->hit.surface = s;
       ray->hit.P = twin->hit.P;
       ray->hit.N = twin->hit.N;
-      ray->hit.finish = twin->hit.is_compensated ? K_FINISHED_COMPENSATED
-        : K_FINISHED;
+      ray->hit.finish = K_FINISHED;
+      ray->hit.is_compensated = twin->hit.is_compensated;
     }
   if (twin->tie == ray->hit.t)
     {
-      ray->tie = twin->tie;
+      ray->tied = ray->hit.surface;
     }
   [twin release];
   [dir release];

@@ -243,7 +243,7 @@
   BOOL goes_in = k_dot(hit.N, dir->v) < 0;
   double n_i = [media_t ior: media];
   double n_t = ior;
-  int tir;
+  int tir, is_critical;
 
   *inside = media;
   if (medium && goes_in)
@@ -257,8 +257,9 @@
       n_t = [media_t ior: *inside];
       counters->unbalanced += *inside == media;
     }
-  counters->critical += shade_is_critical(dir->v, Ns->v, n_t / n_i);
-  struct k_vec T = shade_refract(dir->v, Ns->v, n_t / n_i, &tir);
+  struct k_vec T = shade_refract_near(dir->v, Ns->v, n_t / n_i, &tir,
+                                      &is_critical);
+  counters->critical += is_critical;
   *R = tir ? 1 : shade_schlick(dir->v, Ns->v, T, n_i, n_t);
   return medium && n_i != n_t ? [vec_t vec: shade_renew(T)] : dir;
 }

@@ -20,29 +20,6 @@ shade_reflect(struct k_vec D, struct k_vec N)
   return k_vec(D.x - two_c * N.x, D.y - two_c * N.y, D.z - two_c * N.z);
 }
 
-/** n^2 k of Snell's law, below: c = -D.N, along = D + c N. */
-static inline double
-shade_n2k(double c, struct k_vec along, double n)
-{
-  if (n * n > 0.5)
-    {
-      return (n - 1) * (n + 1) + c * c;
-    }
-  double s = k_length(along);
-  return (n - s) * (n + s);
-}
-
-/** Whether it is refracted or totally reflected hangs on the last bits:
-    |k| < 4 u, for n = n_t / n_i other than 1. */
-static inline int
-shade_is_critical(struct k_vec D, struct k_vec N, double n)
-{
-  double c = -k_dot(D, N);
-
-  return n != 1
-    && fabs(shade_n2k(c, k_along(D, c, N), n)) < 4 * K_U * (n * n);
-}
-
 /** Notes, "transmission": Snell's law. D and N are unit and D.N < 0;
     n = n_t / n_i, so going in is `refract(D, N, ior)` and going out
     `refract(D, -N, 1/ior)`. At total internal reflection the result is
@@ -52,13 +29,19 @@ shade_is_critical(struct k_vec D, struct k_vec N, double n)
     k = 1 - (1 - c^2)/n^2. Written so, k cancels; n^2 k is computed instead,
     as (n-1)(n+1) + c^2 or, for a strong step down, as (n-s)(n+s) with
     s = |D + c N| the sine: exact where the other is not. With n = 1 the
-    ray goes on bit for bit as it came. */
+    ray goes on bit for bit as it came.
+
+    *is_critical: |k| < 4 u, so that the last bits decide whether it is refracted
+    at all; not for n = 1. */
 static inline struct k_vec
-shade_refract(struct k_vec D, struct k_vec N, double n, int *tir)
+shade_refract_near(struct k_vec D, struct k_vec N, double n, int *tir,
+                   int *is_critical)
 {
   double c = -k_dot(D, N);
   struct k_vec along = k_along(D, c, N);        // the part along the surface
+  double n2k;
 
+  *is_critical = 0;
   if (tir)
     {
       *tir = 0;
@@ -67,7 +50,16 @@ shade_refract(struct k_vec D, struct k_vec N, double n, int *tir)
     {
       return D;
     }
-  double n2k = shade_n2k(c, along, n);
+  if (n * n > 0.5)
+    {
+      n2k = (n - 1) * (n + 1) + c * c;
+    }
+  else
+    {
+      double s = k_length(along);
+      n2k = (n - s) * (n + s);
+    }
+  *is_critical = fabs(n2k) < 4 * K_U * (n * n);
   if (n2k < 0)
     {
       if (tir)
@@ -79,6 +71,15 @@ shade_refract(struct k_vec D, struct k_vec N, double n, int *tir)
   // A step too large to square leaves along N.
   double nk = n < 0x1p500 ? sqrt(n2k) : n;
   return k_div(k_along(along, -nk, N), n);
+}
+
+/** The same for those who do not ask how near it was. */
+static inline struct k_vec
+shade_refract(struct k_vec D, struct k_vec N, double n, int *tir)
+{
+  int is_critical;
+
+  return shade_refract_near(D, N, n, tir, &is_critical);
 }
 
 /** Takes the rounding out of a direction that was unit and has been

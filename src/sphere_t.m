@@ -72,8 +72,9 @@
         }
       return;
     }
-  if (!k_sphere_hit(ray->pos->v, ray->dir->v, center, radius,
-                    &t0, &t1, &p, &s))
+  int how = k_sphere_hit(ray->pos->v, ray->dir->v, center, radius,
+                         &t0, &t1, &p, &s);
+  if (how == 0)
     {
       return;
     }
@@ -92,8 +93,7 @@
     }
   if (is_met)
     {
-      ray->hit.is_compensated
-        = k_sphere_is_compensated(ray->pos->v, center, radius);
+      ray->hit.is_compensated = how == K_SPHERE_COMPENSATED;
     }
 }
 

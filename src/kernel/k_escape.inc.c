@@ -24,37 +24,15 @@ finish_hit(struct k_ray *ray)
   hit->finish = K_FINISHED;
 }
 
-/** Whether the sphere that is hit, if it is one, was met by the compensated
-    branch. */
-static inline int
-is_compensated(const struct k_scene *scene, const struct k_ray *ray)
-{
-  const struct k_hit *hit = &ray->hit;
-  const char *first = (const char *)scene->spheres;
-  size_t at = (const char *)hit->surface - first;
-
-  if (hit->finish == K_FINISH_SPHERE)
-    {
-      return k_sphere_is_compensated(ray->o, hit->center, hit->radius);
-    }
-  if (hit->finish == K_FINISHED && ray->from != hit->surface
-      && at < scene->sphere_count * sizeof *scene->spheres)
-    {
-      const struct k_sphere *s = &scene->spheres[at / sizeof *s];
-      return k_sphere_is_compensated(ray->o, s->center, s->radius);
-    }
-  return hit->finish == K_FINISHED_COMPENSATED;
-}
-
-/** Counts what -[ray_t countHit] does. Before finish_hit. */
+/** -[ray_t countHit] */
 static inline void
-count_hit(const struct k_scene *scene, const struct k_ray *ray)
+count_hit(const struct k_ray *ray)
 {
-  if (ray->tie == ray->hit.t)
+  if (ray->tied == ray->hit.surface)
     {
       ray->counters->ties++;
     }
-  if (ray->hit.finish != K_FINISH_PLANE && is_compensated(scene, ray))
+  if (ray->hit.is_compensated)
     {
       ray->counters->compensated++;
     }

@@ -11,7 +11,6 @@
 enum k_finish
 {
   K_FINISHED,           // they are there
-  K_FINISHED_COMPENSATED,       // and a user's shape says so: hit of ray_t
   K_FINISH_PLANE,       // P on the plane, N its normal
   K_FINISH_SPHERE       // N along N as it stands, P from it
 };
@@ -22,6 +21,7 @@ struct k_hit
   const struct k_surface *surface;      // NULL: nothing
   struct k_vec P, N;
   enum k_finish finish;
+  int is_compensated;                   // as in ray_t's struct hit
   const struct k_plane *plane;          // K_FINISH_PLANE
   struct k_vec center;                  // K_FINISH_SPHERE
   double radius;
@@ -41,7 +41,8 @@ struct k_ray
   const struct k_media *media;
   unsigned only;                // the one medium whose surface is asked; 0: all
   struct k_hit hit;
-  double tie;                   // the last t where two surfaces were met
+  const struct k_surface *tied; // the one that won, where two were last met at
+                                // the same t
   struct counters *counters;
 };
 
@@ -64,7 +65,7 @@ k_ray_start(struct k_ray *ray, struct k_vec o, struct k_vec d,
   ray->only = 0;
   ray->hit.t = HUGE_VAL;
   ray->hit.surface = NULL;
-  ray->tie = -1;
+  ray->tied = NULL;
   ray->counters = counters;
 }
 
@@ -112,22 +113,22 @@ k_is_end(const struct k_ray *ray, const struct k_surface *s, double t,
     && !((ray->end - t) * fabs(n_dot_d) > ray->end_slack + s->slack);
 }
 
-/** Whether a surface at the distance of the hit so far takes its place. */
-static __attribute__((cold, noinline, unused)) int
-k_wins_tie(struct k_ray *ray, const struct k_surface *s)
-{
-  if (s != ray->hit.surface)
-    {
-      ray->tie = ray->hit.t;
-    }
-  return s->number < ray->hit.surface->number;
-}
-
 /** Whether it is nearer than the hit so far; equal t: the lower number. */
 static inline int
 k_is_nearer(struct k_ray *ray, const struct k_surface *s, double t)
 {
-  return t < ray->hit.t || (t == ray->hit.t && k_wins_tie(ray, s));
+  if (t < ray->hit.t)
+    {
+      return 1;
+    }
+  if (__builtin_expect(t == ray->hit.t, 0))
+    {
+      const struct k_surface *other = ray->hit.surface;
+      const struct k_surface *first = s->number < other->number ? s : other;
+      ray->tied = s == other ? ray->tied : first;
+      return first != other;
+    }
+  return 0;
 }
 
 /** -[ray_t exits:…] with everything known. */
@@ -144,6 +145,7 @@ k_exits(struct k_ray *ray, const struct k_surface *s, double t,
   ray->hit.N = N;
   ray->hit.P = P;
   ray->hit.finish = K_FINISHED;
+  ray->hit.is_compensated = 0;
   return 1;
 }
 
@@ -172,6 +174,7 @@ k_meets_plane(struct k_ray *ray, const struct k_surface *s, double t,
   ray->hit.surface = s;
   ray->hit.plane = plane;
   ray->hit.finish = K_FINISH_PLANE;
+  ray->hit.is_compensated = 0;
   return 1;
 }
 

@@ -138,7 +138,7 @@ refract(const struct k_scene *scene, struct point *p, struct k_media *room)
   int goes_in = k_dot(ray->hit.N, ray->d) < 0;
   double n_i = ray->media ? ray->media->ior : 1;
   double n_t = ior;
-  int tir;
+  int tir, is_critical;
 
   p->inside = ray->media;
   if (medium && goes_in)
@@ -158,11 +158,9 @@ refract(const struct k_scene *scene, struct point *p, struct k_media *room)
     {
       ray->counters->unbalanced++;
     }
-  if (shade_is_critical(ray->d, p->Ns, n_t / n_i))
-    {
-      ray->counters->critical++;
-    }
-  struct k_vec T = shade_refract(ray->d, p->Ns, n_t / n_i, &tir);
+  struct k_vec T = shade_refract_near(ray->d, p->Ns, n_t / n_i, &tir,
+                                      &is_critical);
+  ray->counters->critical += is_critical;
   p->R = tir ? 1 : shade_schlick(ray->d, p->Ns, T, n_i, n_t);
   p->t = medium && n_i != n_t ? shade_renew(T) : ray->d;
 }
@@ -314,7 +312,7 @@ trace_ambient(const struct k_scene *scene, struct k_ray *rays, unsigned n,
       const struct k_hit *hit = &rays[i].hit;
       if (hit->surface)
         {
-          count_hit(scene, &rays[i]);
+          count_hit(&rays[i]);
         }
       colors[i] = hit->surface
         ? shade_ambient(scene->materials[hit->surface->material].ambient,
@@ -343,7 +341,7 @@ trace_either(const struct k_scene *scene, struct k_ray *rays, unsigned n,
           colors[i] = scene->settings.background;
           continue;
         }
-      count_hit(scene, ray);
+      count_hit(ray);
       finish_hit(ray);
       if (ray->media && any_is_left(scene, ray))
         {
