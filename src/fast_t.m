@@ -62,6 +62,11 @@ ask_object(void *shape, const struct k_surface *s, struct k_ray *ray)
       ray->hit.P = twin->hit.P;
       ray->hit.N = twin->hit.N;
       ray->hit.finish = K_FINISHED;
+      ray->hit.is_compensated = twin->hit.is_compensated;
+    }
+  if (twin->tie == ray->hit.t)
+    {
+      ray->tied = ray->hit.surface;
     }
   [twin release];
   [dir release];

@@ -6,6 +6,7 @@
 #import "diag_t.h"
 #import "errors.h"
 #import "exr_t.h"
+#import "explain_t.h"
 #import "fast_t.h"
 #import "machine.h"
 #import "model_t.h"
@@ -113,6 +114,39 @@
                    size[0] ? (unsigned)size[1] : camera->rows];
 }
 
+- (BOOL) explains
+{
+  return options->settings.explain[0] != NO_CROP;
+}
+
+/** The window of --explain, and whether it is not too much. */
+- (BOOL) setExplained: (struct window *)window error: (NSError **)error
+{
+  const struct settings *settings = &options->settings;
+  const uint64_t *at = settings->explain;
+  camera_t *camera = model->camera;
+  uint64_t rays = settings->samples * camera->exposure;
+
+  if (at[0] >= camera->columns || at[1] >= camera->rows)
+    {
+      *error = error_saying(STATUS_USAGE, @"option '--explain' goes beyond the "
+                            @"picture of %u x %u pixels", camera->columns,
+                            camera->rows);
+      return NO;
+    }
+  if (rays > EXPLAIN_MOST)
+    {
+      *error = error_saying(STATUS_USAGE, @"option '--explain' tells of at most"
+                            @" %u rays, and the pixel has %llu: give smaller"
+                            @" --samples or --exposure", EXPLAIN_MOST,
+                            (unsigned long long)rays);
+      return NO;
+    }
+  *window = (struct window){ (unsigned)at[0], (unsigned)at[1],
+                             (unsigned)at[0] + 1, (unsigned)at[1] + 1 };
+  return YES;
+}
+
 /** What the options change of the camera, and whether they suit it. */
 - (BOOL) setCamera: (struct window *)window error: (NSError **)error
 {
@@ -140,6 +174,10 @@
       camera->exposure = 1;
     }
   *window = (struct window){ 0, 0, camera->columns, camera->rows };
+  if ([self explains])
+    {
+      return [self setExplained: window error: error];
+    }
   if (crop[0] == NO_CROP)
     {
       return YES;
@@ -175,7 +213,8 @@
 /** The engine that is asked for, with the model in it (not autoreleased). */
 - (id <engine_t>) newEngine: (NSError **)error
 {
-  return options->settings.engine == ENGINE_FAST ? [self newFastEngine: error]
+  return [self explains] ? [[explain_t alloc] initWithModel: model]
+    : options->settings.engine == ENGINE_FAST ? [self newFastEngine: error]
     : [[notes_t alloc] initWithModel: model];
 }
 
@@ -308,7 +347,7 @@
     {
       return NO;
     }
-  if (settings->engine == ENGINE_FAST)
+  if (settings->engine == ENGINE_FAST && ![self explains])
     {
       k_scene_facts(((fast_t *)engine)->scene, &stats->scene);
     }
@@ -326,12 +365,13 @@
   [bar release];
   stats->counters = render->counters;
   [render release];
-  [engine release];
   nanCount = [image makeFinite];
   if (settings->noise > 0)
     {
       stats->noise = noise_facts_of(image, settings->noise);
     }
+  text = [self explains] ? [[(explain_t *)engine textOf: image] retain] : nil;
+  [engine release];
   [stats errorsOf: image];
   [stats ended: PHASE_TRACE];
   return YES;

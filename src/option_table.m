@@ -130,6 +130,12 @@ const struct option option_table[] = {
   { .name = "plan", .kind = OPTION_FLAG, .offset = AT(plan),
     .help = "trace nothing; write what the scene has, which work it does"
             " without, and about how many rays it will be" },
+  { .name = "explain", .value = "X,Y", .kind = OPTION_WHOLE,
+    .offset = AT(explain), .count = 2, .separator = ',', .most = MILLION,
+    .standard = NO_CROP,
+    .help = "write how the pixel in column X and row Y, counted from the top"
+            " left corner, gets its colour: every ray and every term, by the"
+            " notes engine" },
 
   { .heading = "Messages, on standard error",
     .name = "stats", .value = "WORD", .kind = OPTION_WORD,

@@ -47,6 +47,7 @@ struct settings
   NSString *output;             // nil: not given; "-": standard output
   uint64_t size[2];             // columns, rows; 0 0: the model's
   uint64_t crop[4];             // x0 y0 x1 y1; x0 NO_CROP: not given
+  uint64_t explain[2];          // x y; x NO_CROP: not given
   uint64_t aovs;                // sum of enum aov
   uint64_t seed, samples, sampler, exposure;    // exposure 0: the model's
   double noise, confidence;     // 0: not given

@@ -201,10 +201,15 @@ is_square(uint64_t n)
     {
       return @"no scene given; see 'raytrace --help'";
     }
-  if (settings.check + settings.format_scene + settings.plan > 1)
+  BOOL explains = settings.explain[0] != NO_CROP;
+  if (settings.check + settings.format_scene + settings.plan + explains > 1)
     {
-      return @"options '--check', '--format-scene' and '--plan' exclude each"
-        @" other";
+      return @"options '--check', '--format-scene', '--plan' and '--explain'"
+        @" exclude each other";
+    }
+  if (explains && crop[0] != NO_CROP)
+    {
+      return @"options '--crop' and '--explain' exclude each other";
     }
   if (crop[0] != NO_CROP && (crop[0] >= crop[2] || crop[1] >= crop[3]))
     {
@@ -232,7 +237,7 @@ is_square(uint64_t n)
                        settings.max_samples ? "--max-samples"
                        : "--confidence"];
     }
-  if (settings.check || settings.format_scene || settings.plan)
+  if (settings.check || settings.format_scene || settings.plan || explains)
     {
       return nil;
     }

@@ -38,14 +38,19 @@ shade_reflect(struct k_vec D, struct k_vec N)
     k = 1 - (1 - c^2)/n^2. Written so, k cancels; n^2 k is computed instead,
     as (n-1)(n+1) + c^2 or, for a strong step down, as (n-s)(n+s) with
     s = |D + c N| the sine: exact where the other is not. With n = 1 the
-    ray goes on bit for bit as it came. */
+    ray goes on bit for bit as it came.
+
+    *is_critical: |k| < 4 u, so that the last bits decide whether it is refracted
+    at all; not for n = 1. */
 static inline struct k_vec
-shade_refract(struct k_vec D, struct k_vec N, double n, int *tir)
+shade_refract_near(struct k_vec D, struct k_vec N, double n, int *tir,
+                   int *is_critical)
 {
   double c = -k_dot(D, N);
   struct k_vec along = k_along(D, c, N);        // the part along the surface
   double n2k;
 
+  *is_critical = 0;
   if (tir)
     {
       *tir = 0;
@@ -63,6 +68,7 @@ shade_refract(struct k_vec D, struct k_vec N, double n, int *tir)
       double s = k_length(along);
       n2k = (n - s) * (n + s);
     }
+  *is_critical = fabs(n2k) < 4 * K_U * (n * n);
   if (n2k < 0)
     {
       if (tir)
@@ -74,6 +80,15 @@ shade_refract(struct k_vec D, struct k_vec N, double n, int *tir)
   // A step too large to square leaves along N.
   double nk = n < 0x1p500 ? sqrt(n2k) : n;
   return k_div(k_along(along, -nk, N), n);
+}
+
+/** The same for those who do not ask how near it was. */
+static inline struct k_vec
+shade_refract(struct k_vec D, struct k_vec N, double n, int *tir)
+{
+  int is_critical;
+
+  return shade_refract_near(D, N, n, tir, &is_critical);
 }
 
 /** Takes the rounding out of a direction that was unit and has been

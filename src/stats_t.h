@@ -41,7 +41,8 @@ enum phase
 /** One line, a JSON object (autoreleased):
     {"seconds": {"load": …, "build": …, "trace": …, "write": …},
     "rays": {"eye": …, "reflection": …, "refraction": …, "feeler": …},
-    "tests": …, "escapes": …, "rays_per_second": …}, and of the fast engine
+    "tests": …, "escapes": …, "compensated": …, "ties": …, "critical": …,
+    "unbalanced": …, "rays_per_second": …}, and of the fast engine
     "nodes": …, "nodes_per_ray": …, "tests_per_ray": …, "tree": {"nodes": …,
     "depth": …, "cost": …, "bytes": …, "isa": "…"}, when branches are cut
     "error": {"truncation": {"most": …, "mean": …}}, and with --noise

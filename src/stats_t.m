@@ -99,6 +99,10 @@ error_text_of(double error)
   [text appendFormat: @"feeler     %16" PRIu64 " rays\n", c->feeler];
   [text appendFormat: @"tests      %16" PRIu64 "\n", c->tests];
   [text appendFormat: @"escapes    %16" PRIu64 "\n", c->escapes];
+  [text appendFormat: @"compensated%16" PRIu64 "\n", c->compensated];
+  [text appendFormat: @"ties       %16" PRIu64 "\n", c->ties];
+  [text appendFormat: @"critical   %16" PRIu64 "\n", c->critical];
+  [text appendFormat: @"unbalanced %16" PRIu64 "\n", c->unbalanced];
   [text appendFormat: @"speed      %16.0f rays/s\n", [self raysPerSecond]];
   if (has_truncation)
     {
@@ -143,9 +147,12 @@ error_text_of(double error)
   [json appendFormat: @"}, \"rays\": {\"eye\": %" PRIu64
         ", \"reflection\": %" PRIu64 ", \"refraction\": %" PRIu64
         ", \"feeler\": %" PRIu64 "}, \"tests\": %" PRIu64
-        ", \"escapes\": %" PRIu64 ", \"rays_per_second\": %.0f",
+        ", \"escapes\": %" PRIu64 ", \"compensated\": %" PRIu64
+        ", \"ties\": %" PRIu64 ", \"critical\": %" PRIu64
+        ", \"unbalanced\": %" PRIu64 ", \"rays_per_second\": %.0f",
         c->eye, c->reflection, c->refraction, c->feeler, c->tests,
-        c->escapes, [self raysPerSecond]];
+        c->escapes, c->compensated, c->ties, c->critical, c->unbalanced,
+        [self raysPerSecond]];
   if (scene.isa)
     {
       [json appendFormat: @", \"nodes\": %" PRIu64 ", \"nodes_per_ray\": %@"

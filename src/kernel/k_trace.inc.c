@@ -141,7 +141,7 @@ refract(const struct k_scene *scene, struct point *p, struct k_media *room)
   int goes_in = k_dot(ray->hit.N, ray->d) < 0;
   double n_i = ray->media ? ray->media->ior : 1;
   double n_t = ior;
-  int tir;
+  int tir, is_critical;
 
   p->inside = ray->media;
   if (medium && goes_in)
@@ -157,7 +157,13 @@ refract(const struct k_scene *scene, struct point *p, struct k_media *room)
       n_i = ior;
       n_t = p->inside ? p->inside->ior : 1;
     }
-  struct k_vec T = shade_refract(ray->d, p->Ns, n_t / n_i, &tir);
+  if (medium && !goes_in && p->inside == ray->media)
+    {
+      ray->counters->unbalanced++;
+    }
+  struct k_vec T = shade_refract_near(ray->d, p->Ns, n_t / n_i, &tir,
+                                      &is_critical);
+  ray->counters->critical += is_critical;
   p->R = tir ? 1 : scene->settings.choice.exact_fresnel
     ? shade_fresnel(ray->d, p->Ns, T, n_i, n_t)
     : shade_schlick(ray->d, p->Ns, T, n_i, n_t);
@@ -309,6 +315,10 @@ trace_ambient(const struct k_scene *scene, struct k_ray *rays, unsigned n,
   for (unsigned i = 0; i < n; i++)
     {
       const struct k_hit *hit = &rays[i].hit;
+      if (hit->surface)
+        {
+          count_hit(&rays[i]);
+        }
       colors[i] = hit->surface
         ? shade_ambient(scene->materials[hit->surface->material].ambient,
                         rays[i].dis + hit->t)
@@ -336,6 +346,7 @@ trace_either(const struct k_scene *scene, struct k_ray *rays, unsigned n,
           colors[i] = scene->settings.background;
           continue;
         }
+      count_hit(ray);
       finish_hit(ray);
       if (ray->media && any_is_left(scene, ray))
         {

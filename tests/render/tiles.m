@@ -9,7 +9,9 @@ same_counters(struct counters a, struct counters b)
 {
   return a.eye == b.eye && a.reflection == b.reflection
     && a.refraction == b.refraction && a.feeler == b.feeler
-    && a.tests == b.tests && a.escapes == b.escapes;
+    && a.tests == b.tests && a.escapes == b.escapes
+    && a.compensated == b.compensated && a.ties == b.ties
+    && a.critical == b.critical && a.unbalanced == b.unbalanced;
 }
 
 static void
