@@ -268,14 +268,12 @@
       n_t = [media_t ior: *inside];
       counters->unbalanced += *inside == media;
     }
-  struct k_vec T = shade_refract(dir->v, Ns->v, n_t / n_i, &tir);
-  *R = tir ? 1 : model->choice.exact_fresnel
-    ? shade_fresnel(dir->v, Ns->v, T, n_i, n_t)
-    : shade_schlick(dir->v, Ns->v, T, n_i, n_t);
   struct k_vec T = shade_refract_near(dir->v, Ns->v, n_t / n_i, &tir,
                                       &is_critical);
   counters->critical += is_critical;
-  *R = tir ? 1 : shade_schlick(dir->v, Ns->v, T, n_i, n_t);
+  *R = tir ? 1 : model->choice.exact_fresnel
+    ? shade_fresnel(dir->v, Ns->v, T, n_i, n_t)
+    : shade_schlick(dir->v, Ns->v, T, n_i, n_t);
   return medium && n_i != n_t ? [vec_t vec: shade_renew(T)] : dir;
 }
 
