@@ -19,6 +19,7 @@
 #import "progress_t.h"
 #import "sha256.h"
 #include "batches.h"
+#include "clock.h"
 #include "version.h"
 #include <unistd.h>
 
@@ -227,12 +228,35 @@
         && isatty(STDERR_FILENO));
 }
 
+/** What --time-limit had time for becomes what was asked for, so that the file
+    says how to get it again; it is told too. */
+- (void) keepSamples: (unsigned)samples
+{
+  struct settings *settings = &options->settings;
+
+  settings->time_limit = 0;
+  settings->samples = samples;
+  settings->exposure = model->camera->has_lens ? 1 : 0;
+  if (samples == 0)
+    {
+      fputs("raytrace: warning: --time-limit was too short for one ray through"
+            " each pixel: parts of the picture are copies of others\n", stderr);
+    }
+  else if (!settings->quiet)
+    {
+      fprintf(stderr, "raytrace: --time-limit: %u ray%s through each pixel\n",
+              samples, samples == 1 ? "" : "s");
+    }
+}
+
 - (struct render_options) renderOptions
 {
   const struct settings *settings = &options->settings;
   struct render_options how = {
     .threads = [self threads],
     .seed = settings->seed,
+    .until = settings->time_limit > 0 ? clock_seconds() + settings->time_limit
+      : 0,
     .samples = (unsigned)settings->samples,
     .sampler = (enum sampler)settings->sampler,
     .noise = settings->noise,
@@ -360,7 +384,15 @@
     {
       bar = [(progress_t *)[progress_t alloc] init: render];
     }
-  [render run];
+  if (settings->time_limit > 0)
+    {
+      [render runTimed];
+      [self keepSamples: [render samplesDone]];
+    }
+  else
+    {
+      [render run];
+    }
   [bar stop];
   [bar release];
   stats->counters = render->counters;

@@ -64,6 +64,11 @@ const struct option option_table[] = {
     .offset = AT(max_samples), .count = 1, .least = 36, .most = 1000 * MILLION,
     .is_shaping = YES,
     .help = "most rays through a pixel with --noise, 65536 unless given" },
+  { .name = "time-limit", .value = "S", .kind = OPTION_NUMBER,
+    .offset = AT(time_limit), .high = 1e6, .is_above_low = YES,
+    .help = "the best picture in S seconds of tracing: as many rays through"
+            " each pixel as there is time for; --samples with the number that"
+            " is told, and --exposure 1 with a lens, gives it again" },
   { .name = "seed", .value = "N", .kind = OPTION_WHOLE, .offset = AT(seed),
     .count = 1, .most = UINT64_MAX,
     .help = "another seed, other random numbers" },

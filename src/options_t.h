@@ -57,6 +57,7 @@ struct settings
   uint64_t no_shadows, no_reflection, no_refraction, no_depth_of_field;
   uint64_t quality;             // place in quality_table; more: not given
   uint64_t show_quality;
+  double time_limit;            // seconds; 0: none
   double min_weight, max_error; // less than 0: not given
   uint64_t threads;             // 0: all cores
   NSMutableArray *includes;     // folders, in the order given

@@ -231,6 +231,16 @@ is_square(uint64_t n)
     {
       return @"option '--noise' takes the samplers owen and random";
     }
+  if (settings.time_limit > 0
+      && (settings.noise > 0 || settings.samples > 1 || settings.exposure
+          || settings.sampler == SAMPLER_STRATIFIED
+          || settings.sampler == SAMPLER_GRID || settings.aovs
+          || settings.max_error > 0 || settings.min_weight >= 0))
+    {
+      return @"option '--time-limit' finds the number of rays itself: without"
+        @" '--samples', '--exposure', '--noise', '--aov', '--max-error' and"
+        @" '--min-weight', and with sampler owen or random";
+    }
   if (settings.noise == 0 && (settings.confidence > 0 || settings.max_samples))
     {
       return [NSString stringWithFormat: @"option '%s' needs '--noise'",

@@ -16,6 +16,8 @@ struct render_options
                         // states is at most this; owen or random
   double errors;        // such an error is this many standard errors
   unsigned max_samples; // or no more than so many rays
+  double until;         // above 0: passes of one ray through each pixel until
+                        // this time of clock_seconds()
 };
 
 @interface render_t : NSObject
@@ -30,6 +32,9 @@ struct render_options
   unsigned tile_count, tiles_across;
   unsigned next_tile, tiles_done;       // atomic
   NSLock *lock;                 // of counters
+  struct k_vec *pass;           // colours of the pass under way; timed only
+  unsigned char *tile_is_there; // whether the pass has it
+  unsigned passes;              // that are complete
 }
 
 - (id) init: (id <engine_t>)engine camera: (camera_t *)camera
@@ -43,6 +48,27 @@ struct render_options
 
 /** Where rays go, of no pixel yet. */
 - (struct ray_places) places;
+
+@end
+
+@interface render_t (timed)
+
+/** Passes over the whole picture until the time is up: the picture of one ray
+    through the point of each pixel, and then as many rays through each as there
+    is time for: those of options.samples (and exposure 1) of that number, to
+    the last bit. A pass that is not complete does not count; of the first one
+    the missing tiles are filled from those beside them. */
+- (void) runTimed;
+
+/** How many rays each pixel has got; 0: not even one each. */
+- (unsigned) samplesDone;
+
+@end
+
+@interface render_t (threads)
+
+/** Does the work in all threads and waits for them. */
+- (void) inThreads: (void *(*)(void *))work;
 
 @end
 

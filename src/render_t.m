@@ -38,6 +38,8 @@
   [camera release];
   [engine release];
   [lock release];
+  free(pass);
+  free(tile_is_there);
   [super dealloc];
 }
 
@@ -225,7 +227,22 @@ work_in_thread(void *render)
   return NULL;
 }
 
+- (double) done
+{
+  return tile_count ? (double)__atomic_load_n(&tiles_done, __ATOMIC_RELAXED)
+    / tile_count : 1;
+}
+
 - (void) run
+{
+  [self inThreads: work_in_thread];
+}
+
+@end
+
+@implementation render_t (threads)
+
+- (void) inThreads: (void *(*)(void *))work
 {
   pthread_t threads[options.threads];
   pthread_attr_t attributes;
@@ -234,26 +251,19 @@ work_in_thread(void *render)
   pthread_attr_init(&attributes);
   pthread_attr_setstacksize(&attributes, STACK_SIZE);
   while (started < options.threads
-         && pthread_create(&threads[started], &attributes, work_in_thread,
-                           self) == 0)
+         && pthread_create(&threads[started], &attributes, work, self) == 0)
     {
       started++;
     }
   pthread_attr_destroy(&attributes);
   if (started == 0)
     {
-      [self work];              // no thread is to be had: then in this one
+      work(self);               // no thread is to be had: then in this one
     }
   while (started)
     {
       pthread_join(threads[--started], NULL);
     }
-}
-
-- (double) done
-{
-  return tile_count ? (double)__atomic_load_n(&tiles_done, __ATOMIC_RELAXED)
-    / tile_count : 1;
 }
 
 @end
