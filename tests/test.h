@@ -9,6 +9,7 @@
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define TEST_FORMAT(n) \
@@ -91,7 +92,13 @@ test_double(double got, double want, double tolerance, char kind,
   snprintf(difference, sizeof difference,
            "got %.17g (%a), want %.17g (%a): %g apart, %.0f ulps",
            got, got, want, want, fabs(got - want), (double)ulps);
-  return test_line(passed, file, line, difference, "%s", text);
+  test_line(passed, file, line, difference, "%s", text);
+  if (getenv("TEST_TELL"))      // for tests/stability/extremes
+    {
+      printf("# tell\t%.17g\t%.17g\t%g\t%.0f\t%g\t%c\n", got, want,
+             fabs(got - want), (double)ulps, tolerance, kind);
+    }
+  return passed;
 }
 
 static TEST_FORMAT(1) void

@@ -5,8 +5,9 @@
 #
 #   default     gcc -O3: what is installed
 #   sanitize    gcc with the address and undefined behaviour sanitizers
-#   gcc-O0      gcc without optimisation
-#   clang-O2    clang 16
+#   gcc-O0      gcc without optimisation; so gcc-O2, gcc-O3
+#   clang-O2    clang 16; so clang-O0, clang-O3
+#   gcc-O2-v3   for processors with AVX2 only; so the others
 #   fuzz        clang 16 with the sanitizers, for tests/fuzz
 #
 # CC=…, OPT=… and SANITIZE=… on the command line change any of them.
@@ -16,11 +17,10 @@ BUILD ?= default
 ifeq ($(BUILD),sanitize)
   OPT = -O1 -fno-omit-frame-pointer
   SANITIZE = address,undefined
-else ifeq ($(BUILD),gcc-O0)
-  OPT = -O0
-else ifeq ($(BUILD),clang-O2)
-  CC = clang-16
-  OPT = -O2
+else ifneq ($(filter gcc-% clang-%,$(BUILD)),)
+  parts := $(subst -, ,$(BUILD))
+  CC = $(if $(filter clang,$(word 1,$(parts))),clang-16,gcc)
+  OPT = -$(word 2,$(parts)) $(if $(filter v3,$(parts)),-march=x86-64-v3)
 else ifeq ($(BUILD),fuzz)
   CC = clang-16
   OPT = -O1 -fno-omit-frame-pointer
