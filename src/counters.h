@@ -28,6 +28,15 @@ counters_rays(const struct counters *c)
   return c->eye + c->reflection + c->refraction + c->feeler;
 }
 
+/** Whether the same happened near the edge. */
+static inline int
+counters_same_edges(const struct counters *a, const struct counters *b)
+{
+  return a->escapes == b->escapes && a->compensated == b->compensated
+    && a->ties == b->ties && a->critical == b->critical
+    && a->unbalanced == b->unbalanced;
+}
+
 static inline void
 counters_add(struct counters *sum, const struct counters *c)
 {

@@ -40,8 +40,8 @@ shade_reflect(struct k_vec D, struct k_vec N)
     s = |D + c N| the sine: exact where the other is not. With n = 1 the
     ray goes on bit for bit as it came.
 
-    *is_critical: |k| < 4 u, so that the last bits decide whether it is refracted
-    at all; not for n = 1. */
+    *is_critical: |k| < 4 u, so that the last bits decide whether it is
+    refracted at all; not for n = 1. */
 static inline struct k_vec
 shade_refract_near(struct k_vec D, struct k_vec N, double n, int *tir,
                    int *is_critical)

@@ -84,7 +84,7 @@ k_sphere_hit(struct k_vec o, struct k_vec d, struct k_vec center,
   double c = ff - radius * radius;
 
   *p = k_along(f, b, d);
-  if (fabs(c) < 0x1p-10 * ff)           // near the surface
+  if (__builtin_expect(fabs(c) < 0x1p-10 * ff, 0))      // near the surface
     {
       c = k_sphere_power(o, center, radius);
       double discriminant = b * b - c;

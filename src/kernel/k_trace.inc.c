@@ -156,14 +156,14 @@ refract(const struct k_scene *scene, struct point *p, struct k_media *room)
       p->inside = k_media_leave(ray->media, medium, room);
       n_i = ior;
       n_t = p->inside ? p->inside->ior : 1;
-    }
-  if (medium && !goes_in && p->inside == ray->media)
-    {
-      ray->counters->unbalanced++;
+      ray->counters->unbalanced += p->inside == ray->media;
     }
   struct k_vec T = shade_refract_near(ray->d, p->Ns, n_t / n_i, &tir,
                                       &is_critical);
-  ray->counters->critical += is_critical;
+  if (__builtin_expect(is_critical, 0))
+    {
+      ray->counters->critical++;
+    }
   p->R = tir ? 1 : scene->settings.choice.exact_fresnel
     ? shade_fresnel(ray->d, p->Ns, T, n_i, n_t)
     : shade_schlick(ray->d, p->Ns, T, n_i, n_t);

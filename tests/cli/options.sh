@@ -126,10 +126,10 @@ done
 wrong "sampler grid takes a square number of samples (1, 4, 9, 16 ...), \
 not 8" pin.mdl --sampler grid --samples 8 -o x.exr
 for pair in '--check --format-scene' '--check --plan' \
-  '--format-scene --plan'; do
+  '--format-scene --plan' '--plan --explain=0,0'; do
   read -ra both <<<"$pair"
-  wrong "options '--check', '--format-scene' and '--plan' exclude each other" \
-    pin.mdl "${both[@]}"
+  wrong "options '--check', '--format-scene', '--plan' and '--explain' exclude \
+each other" pin.mdl "${both[@]}"
 done
 wrong "option '--noise' finds the number of rays itself: without '--samples' \
 and '--exposure'" pin.mdl --noise .1 --samples 4 -o x.exr

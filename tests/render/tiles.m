@@ -9,9 +9,7 @@ same_counters(struct counters a, struct counters b)
 {
   return a.eye == b.eye && a.reflection == b.reflection
     && a.refraction == b.refraction && a.feeler == b.feeler
-    && a.tests == b.tests && a.escapes == b.escapes
-    && a.compensated == b.compensated && a.ties == b.ties
-    && a.critical == b.critical && a.unbalanced == b.unbalanced;
+    && a.tests == b.tests && counters_same_edges(&a, &b);
 }
 
 static void
