@@ -48,7 +48,7 @@ wrong "unknown option '--form'; did you mean '--format-scene'?" --form
 wrong "unknown option '--res'; did you mean '--resolution'?" --res=8x6
 wrong "unknown option '--sample'; did you mean '--samples' or '--sampler'?" \
   --sample 4
-wrong "unknown option '--s'; did you mean '--samples', '--sampler', '--seed' \
+wrong "unknown option '--s'; did you mean '--show-quality', '--samples', '--sampler', '--seed' \
 or '--stats'?" --s
 wrong "unknown option '--'" --=4
 wrong "no scene given; see 'raytrace --help'"
