@@ -94,21 +94,12 @@ enum { TILE_SIDE = 16 };
   [pool release];
 }
 
-static void *
-pass_in_thread(void *render)
-{
-  GSRegisterCurrentThread();
-  [(render_t *)render passTiles];
-  GSUnregisterCurrentThread();
-  return NULL;
-}
-
 /** One pass; NO if the time was up before it was complete. */
 - (BOOL) onePass
 {
   next_tile = tiles_done = 0;
   memset(tile_is_there, 0, tile_count);
-  [self inThreads: pass_in_thread];
+  [self inThreads: @selector(passTiles)];
   return tiles_done == tile_count;
 }
 

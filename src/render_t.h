@@ -68,7 +68,7 @@ struct render_options
 @interface render_t (threads)
 
 /** Does the work in all threads and waits for them. */
-- (void) inThreads: (void *(*)(void *))work;
+- (void) inThreads: (SEL)work;
 
 @end
 

@@ -218,11 +218,20 @@ add_all(const render_t *self, struct pixel *pixel, struct sample sample,
   [pool release];
 }
 
-static void *
-work_in_thread(void *render)
+/** What a thread is started with. */
+struct task
 {
+  render_t *render;
+  SEL work;
+};
+
+static void *
+work_in_thread(void *given)
+{
+  const struct task *task = given;
+
   GSRegisterCurrentThread();
-  [(render_t *)render work];
+  [task->render performSelector: task->work];
   GSUnregisterCurrentThread();
   return NULL;
 }
@@ -235,15 +244,16 @@ work_in_thread(void *render)
 
 - (void) run
 {
-  [self inThreads: work_in_thread];
+  [self inThreads: @selector(work)];
 }
 
 @end
 
 @implementation render_t (threads)
 
-- (void) inThreads: (void *(*)(void *))work
+- (void) inThreads: (SEL)work
 {
+  struct task task = { self, work };
   pthread_t threads[options.threads];
   pthread_attr_t attributes;
   unsigned started = 0;
@@ -251,14 +261,15 @@ work_in_thread(void *render)
   pthread_attr_init(&attributes);
   pthread_attr_setstacksize(&attributes, STACK_SIZE);
   while (started < options.threads
-         && pthread_create(&threads[started], &attributes, work, self) == 0)
+         && pthread_create(&threads[started], &attributes, work_in_thread,
+                           &task) == 0)
     {
       started++;
     }
   pthread_attr_destroy(&attributes);
   if (started == 0)
     {
-      work(self);               // no thread is to be had: then in this one
+      [self performSelector: work];     // no thread is to be had: then in this one
     }
   while (started)
     {

@@ -57,10 +57,11 @@
 }
 
 - (vec_t *) refractAt: (vec_t *)Ns inside: (media_t **)inside
-          reflectance: (double *)reflectance
+          reflectance: (double *)reflectance of: (model_t *)model
 {
   struct counters before = *counters;
-  vec_t *t = [super refractAt: Ns inside: inside reflectance: reflectance];
+  vec_t *t = [super refractAt: Ns inside: inside reflectance: reflectance
+                           of: model];
 
   is_critical = counters->critical > before.critical;
   is_unbalanced = counters->unbalanced > before.unbalanced;
