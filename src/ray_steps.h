@@ -17,7 +17,7 @@
 /** The refracted direction at the hit point, straight on for a thin sheet;
     *inside is what the ray is in after it and *R how much is reflected. */
 - (vec_t *) refractAt: (vec_t *)Ns inside: (media_t **)inside
-          reflectance: (double *)R;
+          reflectance: (double *)R of: (model_t *)model;
 
 /** Whether a ray that would be spawned is not worth it; if not, *branch is
     what it is as a branch. */
