@@ -1,5 +1,6 @@
 #import "plan_t.h"
 #import "camera_t.h"
+#include "batches.h"
 #import "model_t.h"
 #include "kernel/k.h"
 #include <inttypes.h>
@@ -98,7 +99,12 @@
   struct k_facts f;
   camera_t *camera = model->camera;
   uint64_t pixels = (uint64_t)(w.x1 - w.x0) * (w.y1 - w.y0);
-  uint64_t per_pixel = (uint64_t)options.samples * camera->exposure;
+  // With --noise at least so many, and how many more nobody knows yet.
+  uint64_t per_pixel = options.noise > 0
+    ? (uint64_t)BATCHES * batches_start(options.noise,
+                                        options.sampler == SAMPLER_RANDOM,
+                                        options.max_samples)
+    : (uint64_t)options.samples * camera->exposure;
   double each = [self try: w of: camera engine: engine counters: &c]
     * per_pixel;
 
