@@ -7,7 +7,8 @@
 #include "clock.h"
 #include "grow.h"
 
-enum { TILE_SIDE = 16 };
+// As in render_t.m.
+enum { TILE_SIDE = 16, ACROSS = 8, DOWN = EYE_RAYS / ACROSS };
 
 @implementation render_t (timed)
 
@@ -27,32 +28,57 @@ enum { TILE_SIDE = 16 };
   return w;
 }
 
-/** The colours of some pixels of one row by ray number `ray` of each. */
-- (void) row: (unsigned)y : (unsigned)x0 : (unsigned)x1
-         ray: (uint64_t)ray places: (struct ray_places *)places
-    counters: (struct counters *)count
+/** The colours of the pixels of a block, at most EYE_RAYS, by ray number `ray`
+    of each. */
+- (void) block: (struct window)w ray: (uint64_t)ray
+        places: (struct ray_places *)places counters: (struct counters *)count
 {
   struct sample samples[EYE_RAYS];
   struct eye_ray rays[EYE_RAYS];
-  unsigned n = x1 - x0;
-  size_t at = [image pixelAt: x0 : y] - image->pixels;
+  size_t at[EYE_RAYS];
+  unsigned n = 0;
 
-  for (unsigned i = 0; i < n; i++)
+  for (unsigned y = w.y0; y < w.y1; y++)
     {
-      struct sample sample = { .column = x0 + i, .row = image->rows - 1 - y };
-      if (places->moves_in_pixel || places->has_lens)
+      for (unsigned x = w.x0; x < w.x1; x++)
         {
-          ray_places_begin(places, sample.column, sample.row, 0);
-          ray_places_set(places, ray, &sample);
+          struct sample sample = { .column = x, .row = image->rows - 1 - y };
+          if (places->moves_in_pixel || places->has_lens)
+            {
+              ray_places_begin(places, sample.column, sample.row, 0);
+              ray_places_set(places, ray, &sample);
+            }
+          at[n] = [image pixelAt: x : y] - image->pixels;
+          samples[n++] = sample;
         }
-      samples[i] = sample;
     }
   [camera rays: rays : n of: samples];
   [engine trace: rays : n counters: count];
   for (unsigned i = 0; i < n; i++)
     {
-      pass[at + i] = rays[i].color;
+      pass[at[i]] = rays[i].color;
     }
+}
+
+/** A tile, block by block; NO if the time is up before its end. */
+- (BOOL) passTile: (struct window)w ray: (uint64_t)ray
+           places: (struct ray_places *)places
+         counters: (struct counters *)count
+{
+  for (unsigned y = w.y0; y < w.y1; y += DOWN)
+    {
+      for (unsigned x = w.x0; x < w.x1; x += ACROSS)
+        {
+          struct window block = { x, y, MIN(x + ACROSS, w.x1),
+                                  MIN(y + DOWN, w.y1) };
+          [self block: block ray: ray places: places counters: count];
+          if (clock_seconds() > options.until)
+            {
+              return NO;
+            }
+        }
+    }
+  return YES;
 }
 
 /** Takes tiles of this pass until none are left or the time is up. */
@@ -73,15 +99,9 @@ enum { TILE_SIDE = 16 };
   while ((tile = __atomic_fetch_add(&next_tile, 1, __ATOMIC_RELAXED))
          < tile_count)
     {
-      struct window w = [self windowOf: tile];
-      BOOL is_late = NO;
-      for (unsigned y = w.y0; y < w.y1 && !is_late; y++)
-        {
-          [self row: y : w.x0 : w.x1 ray: is_first ? 0 : passes - 1
-             places: &places counters: &mine];
-          is_late = clock_seconds() > options.until;
-        }
-      if (is_late)
+      if (![self passTile: [self windowOf: tile]
+                      ray: is_first ? 0 : passes - 1
+                   places: &places counters: &mine])
         {
           break;
         }
