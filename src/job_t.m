@@ -254,6 +254,7 @@
   const struct settings *settings = &options->settings;
   struct render_options how = {
     .threads = [self threads],
+    .stack = [render_t stackFor: model->max_depth],
     .seed = settings->seed,
     .until = settings->time_limit > 0 ? clock_seconds() + settings->time_limit
       : 0,
@@ -326,14 +327,17 @@
     {
       return NO;
     }
+  // A few rays tell enough, and this thread's stack is not for deep ones.
+  unsigned depth = model->max_depth;
   model->choice = [self choice];
+  model->max_depth = MIN(depth, 1000);
   fast_t *engine = [self newFastEngine: error];
   if (engine == nil)
     {
       return NO;
     }
   text = [[plan_t of: model engine: engine window: window
-             options: [self renderOptions]] retain];
+             options: [self renderOptions] depth: depth] retain];
   [engine release];
   return YES;
 }
@@ -365,6 +369,15 @@
       return NO;
     }
   [self setCut];
+  if ([render_t stackFor: model->max_depth] > machine_memory())
+    {
+      *error = error_saying(STATUS_FILE, @"not enough memory for %u generations "
+                            @"of rays: a thread's stack takes %zu bytes, and the "
+                            @"program may have %.0f in all", model->max_depth,
+                            [render_t stackFor: model->max_depth],
+                            machine_memory());
+      return NO;
+    }
   model->choice = [self choice];
   id <engine_t> engine = [self newEngine: error];
   if (engine == nil)

@@ -75,7 +75,7 @@ const struct option option_table[] = {
 
   { .heading = "Tracing",
     .name = "max-depth", .value = "N", .kind = OPTION_WHOLE,
-    .offset = AT(max_depth), .count = 1, .most = 1000, .standard = 5,
+    .offset = AT(max_depth), .count = 1, .most = MILLION, .standard = 5,
     .is_shaping = YES,
     .help = "deepest generation of reflected and refracted rays; eye rays"
             " are generation 0" },

@@ -12,6 +12,6 @@
     one pixel in 256. */
 + (NSString *) of: (model_t *)model engine: (fast_t *)engine
            window: (struct window)window
-          options: (struct render_options)options;
+          options: (struct render_options)options depth: (unsigned)depth;
 
 @end

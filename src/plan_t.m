@@ -92,7 +92,7 @@
 
 + (NSString *) of: (model_t *)model engine: (fast_t *)engine
            window: (struct window)w
-          options: (struct render_options)options
+          options: (struct render_options)options depth: (unsigned)depth
 {
   NSMutableString *text = [NSMutableString string];
   struct counters c = { 0 };
@@ -119,7 +119,7 @@
   [text appendFormat: @"tree      %u node%s, %u deep\n", f.nodes,
         f.nodes == 1 ? "" : "s", f.depth];
   [text appendFormat: @"depth     %u generation%s of rays at most\n",
-        model->max_depth + 1, model->max_depth == 0 ? "" : "s"];
+        depth + 1, depth == 0 ? "" : "s"];
   [text appendFormat: @"left out  %@\n", [self leftOut: &f of: model]];
   [text appendFormat: @"memory    %zu bytes for the scene, %" PRIu64
         " for the picture\n", f.bytes,

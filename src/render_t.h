@@ -9,6 +9,7 @@
 struct render_options
 {
   unsigned threads;     // at least 1
+  size_t stack;         // bytes of each one's stack; 0: what is usual
   uint64_t seed;
   unsigned samples;     // rays through each pixel; 1: through its point
   enum sampler sampler;
@@ -36,6 +37,9 @@ struct render_options
   unsigned char *tile_is_there; // whether the pass has it
   unsigned passes;              // that are complete
 }
+
+/** Bytes of the stack of a thread that traces so many generations. */
++ (size_t) stackFor: (unsigned)generations;
 
 - (id) init: (id <engine_t>)engine camera: (camera_t *)camera
        into: (image_t *)image options: (struct render_options)options;

@@ -1,5 +1,6 @@
 #import "render_t.h"
 #import "camera_t.h"
+#include "grow.h"
 #include <pthread.h>
 
 // Pixels of one side of a tile: large enough that taking the next one costs
@@ -11,10 +12,24 @@
 #define DOWN (EYE_RAYS / ACROSS)
 
 // Bytes of a thread's stack: rays are traced by recursion, and deep ones in
-// many media at once need more than threads commonly have.
-#define STACK_SIZE (64 << 20)
+// many media at once need more than threads commonly have. A generation takes
+// about 1 KB in either engine, and several times that without optimisation or
+// with sanitizers; only what is used becomes memory.
+#define STACK_LEAST ((size_t)64 << 20)
+#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
+#define STACK_GENERATION ((size_t)24 << 10)
+#else
+#define STACK_GENERATION ((size_t)4 << 10)
+#endif
 
 @implementation render_t
+
++ (size_t) stackFor: (unsigned)generations
+{
+  size_t size = generations * STACK_GENERATION;
+
+  return MAX(size, STACK_LEAST);
+}
 
 - (id) init: (id <engine_t>)anEngine camera: (camera_t *)aCamera
        into: (image_t *)anImage options: (struct render_options)someOptions
@@ -26,6 +41,7 @@
       image = [anImage retain];
       lock = [[NSLock alloc] init];
       options = someOptions;
+      options.stack = MAX(options.stack, STACK_LEAST);
       tiles_across = ([image width] + TILE - 1) / TILE;
       tile_count = tiles_across * (([image height] + TILE - 1) / TILE);
     }
@@ -259,7 +275,7 @@ work_in_thread(void *given)
   unsigned started = 0;
 
   pthread_attr_init(&attributes);
-  pthread_attr_setstacksize(&attributes, STACK_SIZE);
+  pthread_attr_setstacksize(&attributes, options.stack);
   while (started < options.threads
          && pthread_create(&threads[started], &attributes, work_in_thread,
                            &task) == 0)
@@ -267,6 +283,10 @@ work_in_thread(void *given)
       started++;
     }
   pthread_attr_destroy(&attributes);
+  if (started == 0 && options.stack > STACK_LEAST)
+    {
+      raise_no_memory(options.stack);
+    }
   if (started == 0)
     {
       [self performSelector: work];     // no thread is to be had: then in this one

@@ -71,8 +71,8 @@ for bad in x 1025 -1 +1 1.5 1e2 0x4 ' 1' '1 ' '' 99999999999999999999; do
 done
 wrong "option '--samples' takes $whole 1 to 1000000, not '0'" --samples 0
 wrong "option '--exposure' takes $whole 1 to 1000000000, not '0'" --exposure 0
-wrong "option '--max-depth' takes $whole 0 to 1000, not '1001'" \
-  --max-depth 1001
+wrong "option '--max-depth' takes $whole 0 to 1000000, not '1000001'" \
+  --max-depth 1000001
 huge=18446744073709551616
 wrong "option '--seed' takes $whole 0 to 18446744073709551615, not '$huge'" \
   --seed $huge
@@ -156,7 +156,7 @@ right -j1 pin.mdl
 right --threads 7 pin.mdl
 right --seed 18446744073709551615 pin.mdl
 right --max-depth 0 pin.mdl
-right --max-depth=1000 pin.mdl
+right --max-depth=1000000 pin.mdl
 right --samples 3 pin.mdl
 right --samples 9 --sampler grid pin.mdl
 right --sampler random pin.mdl
