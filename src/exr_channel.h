@@ -15,7 +15,7 @@ struct exr_channel
   size_t offset;
 };
 
-enum { EXR_CHANNELS = 9 };
+enum { EXR_CHANNELS = 11 };
 
 /** One value as the file holds it: 32 bits of either type. */
 union exr_value

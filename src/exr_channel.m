@@ -13,9 +13,11 @@ static const struct exr_channel channels[EXR_CHANNELS] =
   { "N.Z", AOV_NORMAL, EXR_PIXEL_FLOAT, offsetof(struct surface_pixel, N.z) },
   { "R", 0, EXR_PIXEL_FLOAT, offsetof(struct pixel, color.x) },
   { "Z", AOV_DEPTH, EXR_PIXEL_FLOAT, offsetof(struct surface_pixel, depth) },
+  { "error.sampling", AOV_SAMPLING, EXR_PIXEL_FLOAT, PLANE_SAMPLING },
   { "error.truncation", AOV_TRUNCATION, EXR_PIXEL_FLOAT, PLANE_TRUNCATION },
   { "id", AOV_OBJECT, EXR_PIXEL_UINT,
-    offsetof(struct surface_pixel, object) }
+    offsetof(struct surface_pixel, object) },
+  { "samples", AOV_SAMPLES, EXR_PIXEL_UINT, PLANE_SAMPLES }
 };
 
 /** No less than d: a bound stays one. */
@@ -67,7 +69,14 @@ exr_channel_fill(union exr_value *values, const struct exr_channel *channel,
                                       at: x : y];
       for (size_t i = 0; i < count; i++)
         {
-          values[i].number = float_above(plane[i]);
+          if (channel->type == EXR_PIXEL_UINT)
+            {
+              values[i].whole = (uint32_t)plane[i];
+            }
+          else
+            {
+              values[i].number = float_above(plane[i]);
+            }
         }
       return;
     }

@@ -10,6 +10,10 @@
 //   error.truncation
 //                 the most that rays which were not traced, too deep or of too
 //                 little weight, could change of R, G or B
+//   error.sampling
+//                 how far R, G and B may each be from what more and more rays
+//                 would give, at the stated confidence
+//   samples       uint: the number of rays through the pixel
 //
 // The data window is the part of the picture that is there, the display
 // window is the whole. The same picture always gives the same bytes.
@@ -22,7 +26,9 @@ enum aov
   AOV_DEPTH = 1,
   AOV_NORMAL = 2,
   AOV_OBJECT = 4,
-  AOV_TRUNCATION = 8
+  AOV_TRUNCATION = 8,
+  AOV_SAMPLING = 16,
+  AOV_SAMPLES = 32
 };
 
 /** Those that need the picture to have surfaces. */

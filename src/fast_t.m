@@ -62,6 +62,11 @@ ask_object(void *shape, const struct k_surface *s, struct k_ray *ray)
       ray->hit.P = twin->hit.P;
       ray->hit.N = twin->hit.N;
       ray->hit.finish = K_FINISHED;
+      ray->hit.is_compensated = twin->hit.is_compensated;
+    }
+  if (twin->tie == ray->hit.t)
+    {
+      ray->tied = ray->hit.surface;
     }
   [twin release];
   [dir release];
@@ -133,7 +138,8 @@ typedef BOOL (*compile_t)(id, SEL, compiler_t *);
               k_add_light(scene, &light);
             }
           struct k_settings settings = {
-            model->background, model->max_depth, model->cut, threads,
+            model->background, model->max_depth, model->cut,
+            model->choice, threads,
             [instructions UTF8String]
           };
           switch (k_scene_finish(scene, settings))

@@ -29,6 +29,9 @@ enum plane
 {
   PLANE_TRUNCATION,     // most that cut branches of the ray tree could change
                         // of a channel of the colour
+  PLANE_SAMPLING,       // half the width of the interval that holds each
+                        // channel of the true colour at the stated rate
+  PLANE_SAMPLES,        // rays through the pixel
   PLANES
 };
 

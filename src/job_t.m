@@ -6,6 +6,7 @@
 #import "diag_t.h"
 #import "errors.h"
 #import "exr_t.h"
+#import "explain_t.h"
 #import "fast_t.h"
 #import "machine.h"
 #import "model_t.h"
@@ -17,6 +18,8 @@
 #import "ppm_t.h"
 #import "progress_t.h"
 #import "sha256.h"
+#include "batches.h"
+#include "clock.h"
 #include "version.h"
 #include <unistd.h>
 
@@ -112,6 +115,39 @@
                    size[0] ? (unsigned)size[1] : camera->rows];
 }
 
+- (BOOL) explains
+{
+  return options->settings.explain[0] != NO_CROP;
+}
+
+/** The window of --explain, and whether it is not too much. */
+- (BOOL) setExplained: (struct window *)window error: (NSError **)error
+{
+  const struct settings *settings = &options->settings;
+  const uint64_t *at = settings->explain;
+  camera_t *camera = model->camera;
+  uint64_t rays = settings->samples * camera->exposure;
+
+  if (at[0] >= camera->columns || at[1] >= camera->rows)
+    {
+      *error = error_saying(STATUS_USAGE, @"option '--explain' goes beyond the "
+                            @"picture of %u x %u pixels", camera->columns,
+                            camera->rows);
+      return NO;
+    }
+  if (rays > EXPLAIN_MOST)
+    {
+      *error = error_saying(STATUS_USAGE, @"option '--explain' tells of at most"
+                            @" %u rays, and the pixel has %llu: give smaller"
+                            @" --samples or --exposure", EXPLAIN_MOST,
+                            (unsigned long long)rays);
+      return NO;
+    }
+  *window = (struct window){ (unsigned)at[0], (unsigned)at[1],
+                             (unsigned)at[0] + 1, (unsigned)at[1] + 1 };
+  return YES;
+}
+
 /** What the options change of the camera, and whether they suit it. */
 - (BOOL) setCamera: (struct window *)window error: (NSError **)error
 {
@@ -123,17 +159,26 @@
     {
       [camera resizeTo: (unsigned)size[0] : (unsigned)size[1]];
     }
-  if (settings->exposure && !camera->has_lens)
+  if ([options isGiven: "exposure"] && !camera->has_lens)
     {
       *error = error_saying(STATUS_USAGE, @"option '--exposure' needs a "
                             @"camera with a lens: focus, fstop, exposure");
       return NO;
     }
-  if (settings->exposure)
+  if (settings->exposure && camera->has_lens)
     {
       camera->exposure = (unsigned)settings->exposure;
     }
+  if (settings->no_depth_of_field && camera->has_lens)
+    {
+      camera->has_lens = NO;
+      camera->exposure = 1;
+    }
   *window = (struct window){ 0, 0, camera->columns, camera->rows };
+  if ([self explains])
+    {
+      return [self setExplained: window error: error];
+    }
   if (crop[0] == NO_CROP)
     {
       return YES;
@@ -169,7 +214,8 @@
 /** The engine that is asked for, with the model in it (not autoreleased). */
 - (id <engine_t>) newEngine: (NSError **)error
 {
-  return options->settings.engine == ENGINE_FAST ? [self newFastEngine: error]
+  return [self explains] ? [[explain_t alloc] initWithModel: model]
+    : options->settings.engine == ENGINE_FAST ? [self newFastEngine: error]
     : [[notes_t alloc] initWithModel: model];
 }
 
@@ -182,14 +228,42 @@
         && isatty(STDERR_FILENO));
 }
 
+/** What --time-limit had time for becomes what was asked for, so that the file
+    says how to get it again; it is told too. */
+- (void) keepSamples: (unsigned)samples
+{
+  struct settings *settings = &options->settings;
+
+  settings->time_limit = 0;
+  settings->samples = samples;
+  settings->exposure = model->camera->has_lens ? 1 : 0;
+  if (samples == 0)
+    {
+      fputs("raytrace: warning: --time-limit was too short for one ray through"
+            " each pixel: parts of the picture are copies of others\n", stderr);
+    }
+  else if (!settings->quiet)
+    {
+      fprintf(stderr, "raytrace: --time-limit: %u ray%s through each pixel\n",
+              samples, samples == 1 ? "" : "s");
+    }
+}
+
 - (struct render_options) renderOptions
 {
   const struct settings *settings = &options->settings;
   struct render_options how = {
     .threads = [self threads],
     .seed = settings->seed,
+    .until = settings->time_limit > 0 ? clock_seconds() + settings->time_limit
+      : 0,
     .samples = (unsigned)settings->samples,
-    .sampler = (enum sampler)settings->sampler
+    .sampler = (enum sampler)settings->sampler,
+    .noise = settings->noise,
+    .errors = student_quantile(settings->confidence > 0
+                               ? settings->confidence : 0.95, BATCHES - 1),
+    .max_samples = settings->max_samples ? (unsigned)settings->max_samples
+    : 65536
   };
 
   return how;
@@ -202,7 +276,19 @@
   const struct settings *settings = &options->settings;
   BOOL is_cut = settings->min_weight >= 0 || settings->max_error > 0;
 
-  return (unsigned)settings->aovs | (is_cut ? AOV_TRUNCATION : 0);
+  return (unsigned)settings->aovs | (is_cut ? AOV_TRUNCATION : 0)
+    | (settings->noise > 0 ? AOV_SAMPLING | AOV_SAMPLES : 0);
+}
+
+- (struct shade_choice) choice
+{
+  const struct settings *settings = &options->settings;
+  struct shade_choice choice = {
+    settings->fresnel == 1, settings->no_shadows == 1,
+    settings->no_reflection == 1, settings->no_refraction == 1
+  };
+
+  return choice;
 }
 
 /** Tells the model which branches of the ray tree it may do without, and what
@@ -240,6 +326,7 @@
     {
       return NO;
     }
+  model->choice = [self choice];
   fast_t *engine = [self newFastEngine: error];
   if (engine == nil)
     {
@@ -271,13 +358,20 @@
     {
       return NO;
     }
+  if (settings->noise > 0
+      && !([image addPlane: PLANE_SAMPLING error: error]
+           && [image addPlane: PLANE_SAMPLES error: error]))
+    {
+      return NO;
+    }
   [self setCut];
+  model->choice = [self choice];
   id <engine_t> engine = [self newEngine: error];
   if (engine == nil)
     {
       return NO;
     }
-  if (settings->engine == ENGINE_FAST)
+  if (settings->engine == ENGINE_FAST && ![self explains])
     {
       k_scene_facts(((fast_t *)engine)->scene, &stats->scene);
     }
@@ -290,13 +384,26 @@
     {
       bar = [(progress_t *)[progress_t alloc] init: render];
     }
-  [render run];
+  if (settings->time_limit > 0)
+    {
+      [render runTimed];
+      [self keepSamples: [render samplesDone]];
+    }
+  else
+    {
+      [render run];
+    }
   [bar stop];
   [bar release];
   stats->counters = render->counters;
   [render release];
-  [engine release];
   nanCount = [image makeFinite];
+  if (settings->noise > 0)
+    {
+      stats->noise = noise_facts_of(image, settings->noise);
+    }
+  text = [self explains] ? [[(explain_t *)engine textOf: image] retain] : nil;
+  [engine release];
   [stats errorsOf: image];
   [stats ended: PHASE_TRACE];
   return YES;

@@ -6,6 +6,7 @@
 #import "help.h"
 #import "job_t.h"
 #import "outfile_t.h"
+#import "quality.h"
 #include "arithmetic.h"
 #include "kernel/k.h"
 #include "version.h"
@@ -206,6 +207,10 @@ main(int argc, char **argv)
   else if (options->settings.help)
     {
       status = show(help_text());
+    }
+  else if (options->settings.show_quality)
+    {
+      status = show(quality_text());
     }
   else if (options->settings.version)
     {

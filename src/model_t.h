@@ -6,6 +6,7 @@
 #import "media_t.h"
 #include "cut.h"
 #include "eye_ray.h"
+#include "shade.h"
 
 @class camera_t, light_t, diag_t, names_t;
 
@@ -29,6 +30,7 @@ enum polygon_test
   unsigned max_depth;           // deepest generation of rays; 5
   struct cut_rule cut;          // of rays that are worth little; off
   enum polygon_test polygon_test;
+  struct shade_choice choice;   // what of the formulas is wanted; all
 @protected
   NSMapTable *replacements;     // see replace:by:; by object, NSNull: none
   NSArray *surfaces;            // what find_closest: asks

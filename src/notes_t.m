@@ -19,9 +19,15 @@
   [super dealloc];
 }
 
+- (Class) rayClass
+{
+  return [ray_t class];
+}
+
 - (ray_t *) rayAt: (struct k_vec)o : (struct k_vec)d
 {
-  ray_t *ray = [(ray_t *)[ray_t alloc] init: [vec_t vec: o] : [vec_t vec: d]];
+  ray_t *ray = [(ray_t *)[[self rayClass] alloc] init: [vec_t vec: o]
+                                                    : [vec_t vec: d]];
 
   ray->media = [[model mediaOf: ray] retain];
   ray->cut = cut_eye(&model->cut);

@@ -267,7 +267,13 @@ option_value(const struct option *option, const struct settings *settings)
 
   if (option->kind == OPTION_WORD)
     {
-      return [words_of(option) objectAtIndex: numbers[0]];
+      NSArray *words = words_of(option);
+      return numbers[0] < [words count] ? [words objectAtIndex: numbers[0]]
+        : nil;
+    }
+  if (option->kind == OPTION_FLAG)
+    {
+      return numbers[0] ? @"" : nil;
     }
   if (option->kind == OPTION_NUMBER)
     {

@@ -28,18 +28,47 @@ const struct option option_table[] = {
     .standard = NO_CROP,
     .help = "only the pixels from column X0 and row Y0, counted from the top"
             " left corner, up to but without X1 and Y1" },
+  { .name = "quality", .value = "WORD", .kind = OPTION_WORD,
+    .offset = AT(quality), .words = "draft low medium high reference",
+    .standard = UINT64_MAX,
+    .help = "samples, exposure and max-error that go together: draft, low,"
+            " medium, high or reference; what is given itself wins" },
+  { .name = "show-quality", .kind = OPTION_FLAG, .offset = AT(show_quality),
+    .help = "what each quality sets, its time and its error, on standard"
+            " output" },
   { .name = "samples", .value = "N", .kind = OPTION_WHOLE,
     .offset = AT(samples), .count = 1, .least = 1, .most = MILLION,
     .standard = 1, .is_shaping = YES, .help = "rays through each pixel" },
   { .name = "sampler", .value = "WORD", .kind = OPTION_WORD,
-    .offset = AT(sampler), .words = "random grid", .is_shaping = YES,
-    .help = "where in a pixel they go, for more than one: random, or grid"
-            " (N is 4, 9, 16 ...)" },
+    .offset = AT(sampler), .words = "owen random stratified grid",
+    .is_shaping = YES,
+    .help = "where in a pixel and on the lens rays go: owen, spread evenly;"
+            " random, as in the notes; stratified, one in each of N parts;"
+            " grid (N is 1, 4, 9 ...), regular, and random on the lens" },
   { .name = "exposure", .value = "N", .kind = OPTION_WHOLE,
     .offset = AT(exposure), .count = 1, .least = 1, .most = 1000 * MILLION,
     .is_shaping = YES,
     .help = "rays through the lens for each sample, in place of the"
             " camera's exposure" },
+  { .name = "noise", .value = "E", .kind = OPTION_NUMBER,
+    .offset = AT(noise), .low = 0, .high = 1e9, .is_above_low = YES,
+    .is_shaping = YES,
+    .help = "as many rays through each pixel, and through the lens, as make"
+            " its error at most E; an .exr then has the channels"
+            " error.sampling and samples" },
+  { .name = "confidence", .value = "C", .kind = OPTION_NUMBER,
+    .offset = AT(confidence), .low = 0.5, .high = 0.9999, .is_shaping = YES,
+    .help = "the share of pixels whose error is at most what --noise states,"
+            " 0.95 unless given" },
+  { .name = "max-samples", .value = "N", .kind = OPTION_WHOLE,
+    .offset = AT(max_samples), .count = 1, .least = 36, .most = 1000 * MILLION,
+    .is_shaping = YES,
+    .help = "most rays through a pixel with --noise, 65536 unless given" },
+  { .name = "time-limit", .value = "S", .kind = OPTION_NUMBER,
+    .offset = AT(time_limit), .high = 1e6, .is_above_low = YES,
+    .help = "the best picture in S seconds of tracing: as many rays through"
+            " each pixel as there is time for; --samples with the number that"
+            " is told, and --exposure 1 with a lens, gives it again" },
   { .name = "seed", .value = "N", .kind = OPTION_WHOLE, .offset = AT(seed),
     .count = 1, .most = UINT64_MAX,
     .help = "another seed, other random numbers" },
@@ -60,6 +89,21 @@ const struct option option_table[] = {
     .help = "trace only as many of them as it takes for no channel of a pixel"
             " to be off by more than E from the picture of 20 generations, or of"
             " --max-depth; writes error.truncation too" },
+  { .name = "fresnel", .value = "WORD", .kind = OPTION_WORD,
+    .offset = AT(fresnel), .words = "schlick exact", .is_shaping = YES,
+    .help = "how much clear surfaces reflect: schlick, the notes'"
+            " approximation, or exact, by Fresnel's equations" },
+  { .name = "no-shadows", .kind = OPTION_FLAG, .offset = AT(no_shadows),
+    .is_shaping = YES, .help = "send no shadow feelers: all lights reach" },
+  { .name = "no-reflection", .kind = OPTION_FLAG,
+    .offset = AT(no_reflection), .is_shaping = YES,
+    .help = "trace no reflected rays: what they bring back is black" },
+  { .name = "no-refraction", .kind = OPTION_FLAG,
+    .offset = AT(no_refraction), .is_shaping = YES,
+    .help = "trace no refracted rays: what they bring back is black" },
+  { .name = "no-depth-of-field", .kind = OPTION_FLAG,
+    .offset = AT(no_depth_of_field), .is_shaping = YES,
+    .help = "make the lens a pinhole" },
   { .name = "polygon-test", .value = "WORD", .kind = OPTION_WORD,
     .offset = AT(polygon_test), .words = "crossings edges angles",
     .is_shaping = YES,
@@ -91,6 +135,12 @@ const struct option option_table[] = {
   { .name = "plan", .kind = OPTION_FLAG, .offset = AT(plan),
     .help = "trace nothing; write what the scene has, which work it does"
             " without, and about how many rays it will be" },
+  { .name = "explain", .value = "X,Y", .kind = OPTION_WHOLE,
+    .offset = AT(explain), .count = 2, .separator = ',', .most = MILLION,
+    .standard = NO_CROP,
+    .help = "write how the pixel in column X and row Y, counted from the top"
+            " left corner, gets its colour: every ray and every term, by the"
+            " notes engine" },
 
   { .heading = "Messages, on standard error",
     .name = "stats", .value = "WORD", .kind = OPTION_WORD,

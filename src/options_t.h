@@ -47,9 +47,17 @@ struct settings
   NSString *output;             // nil: not given; "-": standard output
   uint64_t size[2];             // columns, rows; 0 0: the model's
   uint64_t crop[4];             // x0 y0 x1 y1; x0 NO_CROP: not given
+  uint64_t explain[2];          // x y; x NO_CROP: not given
   uint64_t aovs;                // sum of enum aov
   uint64_t seed, samples, sampler, exposure;    // exposure 0: the model's
+  double noise, confidence;     // 0: not given
+  uint64_t max_samples;         // 0: not given
   uint64_t max_depth, polygon_test, engine, isa;
+  uint64_t fresnel;             // 1: exact
+  uint64_t no_shadows, no_reflection, no_refraction, no_depth_of_field;
+  uint64_t quality;             // place in quality_table; more: not given
+  uint64_t show_quality;
+  double time_limit;            // seconds; 0: none
   double min_weight, max_error; // less than 0: not given
   uint64_t threads;             // 0: all cores
   NSMutableArray *includes;     // folders, in the order given

@@ -3,6 +3,8 @@
 #import "options_t.h"
 #import "diag_t.h"
 #import "option.h"
+#import "quality.h"
+#include "ray_places.h"
 #include "attribute_check.h"
 #include <string.h>
 #include <sys/stat.h>
@@ -191,7 +193,7 @@ is_square(uint64_t n)
 {
   const uint64_t *crop = settings.crop;
 
-  if (settings.help || settings.version)
+  if (settings.help || settings.version || settings.show_quality)
     {
       return nil;
     }
@@ -199,22 +201,53 @@ is_square(uint64_t n)
     {
       return @"no scene given; see 'raytrace --help'";
     }
-  if (settings.check + settings.format_scene + settings.plan > 1)
+  BOOL explains = settings.explain[0] != NO_CROP;
+  if (settings.check + settings.format_scene + settings.plan + explains > 1)
     {
-      return @"options '--check', '--format-scene' and '--plan' exclude each"
-        @" other";
+      return @"options '--check', '--format-scene', '--plan' and '--explain'"
+        @" exclude each other";
+    }
+  if (explains && crop[0] != NO_CROP)
+    {
+      return @"options '--crop' and '--explain' exclude each other";
     }
   if (crop[0] != NO_CROP && (crop[0] >= crop[2] || crop[1] >= crop[3]))
     {
       return @"option '--crop' takes X0,Y0,X1,Y1 with X0 < X1 and Y0 < Y1";
     }
-  if (settings.sampler == 1 && !is_square(settings.samples))
+  if (settings.sampler == SAMPLER_GRID && !is_square(settings.samples))
     {
       return [NSString stringWithFormat: @"sampler grid takes a square number "
                        @"of samples (1, 4, 9, 16 ...), not %llu",
                        (unsigned long long)settings.samples];
     }
-  if (settings.check || settings.format_scene || settings.plan)
+  if (settings.noise > 0 && (settings.samples > 1 || settings.exposure))
+    {
+      return @"option '--noise' finds the number of rays itself: without"
+        @" '--samples' and '--exposure'";
+    }
+  if (settings.noise > 0 && settings.sampler != SAMPLER_OWEN
+      && settings.sampler != SAMPLER_RANDOM)
+    {
+      return @"option '--noise' takes the samplers owen and random";
+    }
+  if (settings.time_limit > 0
+      && (settings.noise > 0 || settings.samples > 1 || settings.exposure
+          || settings.sampler == SAMPLER_STRATIFIED
+          || settings.sampler == SAMPLER_GRID || settings.aovs
+          || settings.max_error > 0 || settings.min_weight >= 0))
+    {
+      return @"option '--time-limit' finds the number of rays itself: without"
+        @" '--samples', '--exposure', '--noise', '--aov', '--max-error' and"
+        @" '--min-weight', and with sampler owen or random";
+    }
+  if (settings.noise == 0 && (settings.confidence > 0 || settings.max_samples))
+    {
+      return [NSString stringWithFormat: @"option '%s' needs '--noise'",
+                       settings.max_samples ? "--max-samples"
+                       : "--confidence"];
+    }
+  if (settings.check || settings.format_scene || settings.plan || explains)
     {
       return nil;
     }
@@ -253,6 +286,7 @@ is_square(uint64_t n)
       [arguments addObject: argument];
     }
   NSString *wrong = [self readAll: arguments];
+  quality_apply(self);
   return wrong ? wrong : [self disagreement];
 }
 
@@ -271,7 +305,10 @@ is_square(uint64_t n)
       if (value)
         {
           [words addObject: option_name(o)];
-          [words addObject: value];
+          if (o->kind != OPTION_FLAG)
+            {
+              [words addObject: value];
+            }
         }
     }
   return [words componentsJoinedByString: @" "];

@@ -23,6 +23,8 @@ struct hit
   object_t *object;     // nil: nothing was hit
   struct k_vec P;       // the point
   struct k_vec N;       // the object's outward unit normal there
+  BOOL is_compensated;  // a sphere, from so near that t had to be computed
+                        // with more digits
 };
 
 @interface ray_t : NSObject
@@ -45,6 +47,7 @@ struct hit
   struct cut cut;       // its weight, and what is cut of its branches, if the
                         // model asks for that
   struct hit hit;       // the nearest hit so far; t infinite, object nil first
+  double tie;           // the last t where two objects were met
   struct k_vec inverse; // 1 / dir, per component
   struct k_shear shear; // for polygons
   struct counters *counters;    // of the thread, or the ray's own

@@ -3,6 +3,7 @@
 #import "material_t.h"
 #import "model_t.h"
 #import "object_t.h"
+#import "ray_steps.h"
 #include "shade.h"
 
 @implementation ray_t
@@ -19,6 +20,7 @@
       shear = k_shear(d);
       end = HUGE_VAL;
       hit.t = HUGE_VAL;
+      tie = -1;
       counters = &own_counters;
     }
   return self;
@@ -82,6 +84,10 @@
           return NO;
         }
     }
+  if (t == hit.t && object != hit.object)
+    {
+      tie = t;
+    }
   if (!(t < hit.t || (t == hit.t && object->number < hit.object->number)))
     {
       return NO;
@@ -90,6 +96,7 @@
   hit.object = object;
   hit.P = P;
   hit.N = N;
+  hit.is_compensated = NO;
   return YES;
 }
 
@@ -131,8 +138,13 @@
   return is_exit;
 }
 
-/** A ray can slip out of a closed object through an edge. Before it goes on,
-    the objects it has no way out of are taken off its media. */
+/** Counts a hit that is near the edge of what is certain. */
+- (void) countHit
+{
+  counters->ties += tie == hit.t;
+  counters->compensated += hit.is_compensated;
+}
+
 - (void) forgetMediaLeft
 {
   media_t *kept = media;
@@ -158,8 +170,6 @@
 
 // Tracing
 
-/** Whether light from `light` reaches the hit point: L is the direction to
-    it, *e what arrives, on the side of Ns. */
 - (BOOL) sees: (light_t *)light in: (model_t *)model from: (vec_t *)P
              : (struct k_vec)Ns : (struct k_vec *)L : (struct k_vec *)e
 {
@@ -171,21 +181,30 @@
     {
       return NO;
     }
-  ray_t *feeler = [(ray_t *)[ray_t alloc] initFeeler: P : [vec_t vec: *L] : r
-                                                from: self to: light];
+  *e = shade_falloff(light->emissivity, r, light->falloff);
+  if (model->choice.no_shadows)
+    {
+      return YES;
+    }
+  ray_t *feeler = [(ray_t *)[[self class] alloc]
+                    initFeeler: P : [vec_t vec: *L] : r from: self to: light];
   counters->feeler++;
   [model find_closest: feeler];
   BOOL is_lit = feeler->hit.object == nil;
   [feeler release];
-  *e = shade_falloff(light->emissivity, r, light->falloff);
   return is_lit;
 }
 
-/** Whether a ray that would be spawned is not worth it; if not, *branch is
+/** Whether a ray that would be spawned is not wanted, or not worth it; if not, *branch is
     what it is as a branch. */
 - (BOOL) cuts: (enum cut_which)which of: (const struct cut_pair *)pair
            in: (model_t *)model as: (struct cut *)branch
 {
+  if (which == CUT_REFLECTED ? model->choice.no_reflection
+      : model->choice.no_refraction)
+    {
+      return YES;
+    }
   return model->cut.is_on
     && cut_is(&model->cut, &cut, pair, which, depth == model->max_depth,
               branch);
@@ -197,8 +216,8 @@
                              as: (const struct cut *)branch
 {
   vec_t *r = [vec_t vec: shade_renew([dir reflect: Ns]->v)];
-  ray_t *reflection = [(ray_t *)[ray_t alloc] init: P : r
-                                              from: self through: NO];
+  ray_t *reflection = [(ray_t *)[[self class] alloc] init: P : r
+                                                     from: self through: NO];
 
   counters->reflection += depth < model->max_depth;
   reflection->cut = *branch;
@@ -213,8 +232,8 @@
                              in: (model_t *)model media: (media_t *)inside
                              as: (const struct cut *)branch
 {
-  ray_t *refraction = [(ray_t *)[ray_t alloc] init: P : t
-                                              from: self through: YES];
+  ray_t *refraction = [(ray_t *)[[self class] alloc] init: P : t
+                                                     from: self through: YES];
 
   counters->refraction += depth < model->max_depth;
   [inside retain];
@@ -227,17 +246,15 @@
   return color;
 }
 
-/** The refracted direction at the hit point, straight on for a thin sheet;
-    *inside is what the ray is in after it and *R how much is reflected. */
 - (vec_t *) refractAt: (vec_t *)Ns inside: (media_t **)inside
-          reflectance: (double *)R
+          reflectance: (double *)R of: (model_t *)model
 {
   object_t *medium = [hit.object medium];
   double ior = hit.object->material->ior;
   BOOL goes_in = k_dot(hit.N, dir->v) < 0;
   double n_i = [media_t ior: media];
   double n_t = ior;
-  int tir;
+  int tir, is_critical;
 
   *inside = media;
   if (medium && goes_in)
@@ -249,9 +266,14 @@
       *inside = [media_t leave: medium from: media];
       n_i = ior;
       n_t = [media_t ior: *inside];
+      counters->unbalanced += *inside == media;
     }
-  struct k_vec T = shade_refract(dir->v, Ns->v, n_t / n_i, &tir);
-  *R = tir ? 1 : shade_schlick(dir->v, Ns->v, T, n_i, n_t);
+  struct k_vec T = shade_refract_near(dir->v, Ns->v, n_t / n_i, &tir,
+                                      &is_critical);
+  counters->critical += is_critical;
+  *R = tir ? 1 : model->choice.exact_fresnel
+    ? shade_fresnel(dir->v, Ns->v, T, n_i, n_t)
+    : shade_schlick(dir->v, Ns->v, T, n_i, n_t);
   return medium && n_i != n_t ? [vec_t vec: shade_renew(T)] : dir;
 }
 
@@ -266,6 +288,7 @@
     {
       return [vec_t vec: model->background];
     }
+  [self countHit];
   [self forgetMediaLeft];
   dis += hit.t;
 
@@ -308,7 +331,7 @@
 
   if (m->alpha > 0)
     {
-      t = [self refractAt: Ns inside: &inside reflectance: &R];
+      t = [self refractAt: Ns inside: &inside reflectance: &R of: model];
     }
   if (model->cut.is_on)
     {

@@ -1,6 +1,5 @@
 #import "render_t.h"
 #import "camera_t.h"
-#include "sampler.h"
 #include <pthread.h>
 
 // Pixels of one side of a tile: large enough that taking the next one costs
@@ -39,31 +38,9 @@
   [camera release];
   [engine release];
   [lock release];
+  free(pass);
+  free(tile_is_there);
   [super dealloc];
-}
-
-/** The place of sample s in the pixel. */
-static void
-place(const struct render_options *options, struct sample *sample, unsigned s)
-{
-  if (options->samples == 1)
-    {
-      return;                   // through its point
-    }
-  if (options->sampler == SAMPLER_GRID)
-    {
-      unsigned n = lround(sqrt(options->samples));
-      sample->right = (s % n + 0.5) / n - 0.5;
-      sample->up = (s / n + 0.5) / n - 0.5;
-    }
-  else
-    {
-      sample->right = sampler_random(options->seed, sample->column,
-                                     sample->row, s,
-                                     DIMENSION_PIXEL_RIGHT) - 0.5;
-      sample->up = sampler_random(options->seed, sample->column, sample->row,
-                                  s, DIMENSION_PIXEL_UP) - 0.5;
-    }
 }
 
 /** Rays that are to be traced together, and the pixels they are of. */
@@ -95,46 +72,58 @@ trace(const render_t *self, struct bundle *bundle, struct counters *count)
   bundle->count = 0;
 }
 
-/** All rays of a pixel go into the bundle. */
 static inline void
-add(const render_t *self, struct pixel *pixel, struct sample sample,
+add(const render_t *self, struct pixel *pixel, const struct sample *sample,
     struct bundle *bundle, struct counters *count)
 {
-  const struct render_options *options = &self->options;
-  unsigned exposure = self->camera->exposure;
-  BOOL has_lens = camera_has_lens(self->camera);
-  uint64_t ray_number = 0;
-
-  for (unsigned s = 0; s < options->samples; s++)
+  bundle->samples[bundle->count] = *sample;
+  bundle->pixels[bundle->count++] = pixel;
+  if (bundle->count == EYE_RAYS)
     {
-      place(options, &sample, s);
-      for (unsigned e = 0; e < exposure; e++, ray_number++)
-        {
-          if (has_lens)
-            {
-              sample.u = 2 * sampler_random(options->seed, sample.column,
-                                            sample.row, ray_number,
-                                            DIMENSION_LENS_U) - 1;
-              sample.v = 2 * sampler_random(options->seed, sample.column,
-                                            sample.row, ray_number,
-                                            DIMENSION_LENS_V) - 1;
-            }
-          bundle->samples[bundle->count] = sample;
-          bundle->pixels[bundle->count++] = pixel;
-          if (bundle->count == EYE_RAYS)
-            {
-              trace(self, bundle, count);
-            }
-        }
+      trace(self, bundle, count);
     }
+}
+
+/** All rays of a pixel go into the bundle. */
+static inline void
+add_all(const render_t *self, struct pixel *pixel, struct sample sample,
+        struct ray_places *places, struct bundle *bundle,
+        struct counters *count)
+{
+  if (places->rays == 1 && !places->has_lens)
+    {
+      add(self, pixel, &sample, bundle, count);
+      return;
+    }
+  ray_places_begin(places, sample.column, sample.row, 0);
+  for (uint64_t ray = 0; ray < places->rays; ray++)
+    {
+      ray_places_set(places, ray, &sample);
+      add(self, pixel, &sample, bundle, count);
+    }
+}
+
+- (struct ray_places) places
+{
+  unsigned exposure = camera->exposure;
+  struct ray_places places = {
+    .sampler = options.sampler, .seed = options.seed,
+    .samples = options.samples, .exposure = exposure,
+    .rays = (uint64_t)options.samples * exposure,
+    .moves_in_pixel = options.samples > 1,
+    .has_lens = camera_has_lens(camera)
+  };
+
+  return places;
 }
 
 /** The pixels of a window, which is at most a tile; each colour is the mean of
     all its rays. */
 - (void) pixelsOf: (struct window)w counters: (struct counters *)count
 {
+  struct ray_places places = [self places];
+  double rays = (double)places.rays;
   struct bundle bundle;
-  double rays = (double)options.samples * camera->exposure;
 
   bundle.count = 0;
   for (unsigned y = w.y0; y < w.y1; y++)
@@ -143,18 +132,11 @@ add(const render_t *self, struct pixel *pixel, struct sample sample,
       for (unsigned x = w.x0; x < w.x1; x++)
         {
           struct sample sample = { .column = x, .row = image->rows - 1 - y };
-          if (image->surfaces)
-            {
-              // Through the middle of the pixel and of the lens.
-              struct k_vec o, d;
-              [camera centralRay: sample pos: &o dir: &d];
-              *[image surfaceAt: x : y] = [engine surfaceAt: o : d];
-            }
           struct pixel *pixel = row + (x - w.x0);
           // Written before it is read: a page of the picture that is read first
           // comes twice, and stops the other threads when it is written.
           pixel->color = k_vec(0, 0, 0);
-          add(self, pixel, sample, &bundle, count);
+          add_all(self, pixel, sample, &places, &bundle, count);
         }
     }
   trace(self, &bundle, count);
@@ -168,6 +150,21 @@ add(const render_t *self, struct pixel *pixel, struct sample sample,
       for (unsigned x = w.x0; image->planes[PLANE_TRUNCATION] && x < w.x1; x++)
         {
           *[image plane: PLANE_TRUNCATION at: x : y] /= rays;
+        }
+    }
+}
+
+/** What the rays through the middle of each pixel and of the lens hit. */
+- (void) surfacesOf: (struct window)w
+{
+  for (unsigned y = w.y0; y < w.y1; y++)
+    {
+      for (unsigned x = w.x0; x < w.x1; x++)
+        {
+          struct sample sample = { .column = x, .row = image->rows - 1 - y };
+          struct k_vec o, d;
+          [camera centralRay: sample pos: &o dir: &d];
+          *[image surfaceAt: x : y] = [engine surfaceAt: o : d];
         }
     }
 }
@@ -186,7 +183,18 @@ add(const render_t *self, struct pixel *pixel, struct sample sample,
         {
           struct window block = { x, y, MIN(x + ACROSS, x1),
                                   MIN(y + DOWN, y1) };
-          [self pixelsOf: block counters: count];
+          if (image->surfaces)
+            {
+              [self surfacesOf: block];
+            }
+          if (options.noise > 0)
+            {
+              [self adaptivePixelsOf: block counters: count];
+            }
+          else
+            {
+              [self pixelsOf: block counters: count];
+            }
         }
     }
 }
@@ -210,17 +218,42 @@ add(const render_t *self, struct pixel *pixel, struct sample sample,
   [pool release];
 }
 
-static void *
-work_in_thread(void *render)
+/** What a thread is started with. */
+struct task
 {
+  render_t *render;
+  SEL work;
+};
+
+static void *
+work_in_thread(void *given)
+{
+  const struct task *task = given;
+
   GSRegisterCurrentThread();
-  [(render_t *)render work];
+  [task->render performSelector: task->work];
   GSUnregisterCurrentThread();
   return NULL;
 }
 
+- (double) done
+{
+  return tile_count ? (double)__atomic_load_n(&tiles_done, __ATOMIC_RELAXED)
+    / tile_count : 1;
+}
+
 - (void) run
 {
+  [self inThreads: @selector(work)];
+}
+
+@end
+
+@implementation render_t (threads)
+
+- (void) inThreads: (SEL)work
+{
+  struct task task = { self, work };
   pthread_t threads[options.threads];
   pthread_attr_t attributes;
   unsigned started = 0;
@@ -229,25 +262,19 @@ work_in_thread(void *render)
   pthread_attr_setstacksize(&attributes, STACK_SIZE);
   while (started < options.threads
          && pthread_create(&threads[started], &attributes, work_in_thread,
-                           self) == 0)
+                           &task) == 0)
     {
       started++;
     }
   pthread_attr_destroy(&attributes);
   if (started == 0)
     {
-      [self work];              // no thread is to be had: then in this one
+      [self performSelector: work];     // no thread is to be had: then in this one
     }
   while (started)
     {
       pthread_join(threads[--started], NULL);
     }
-}
-
-- (double) done
-{
-  return tile_count ? (double)__atomic_load_n(&tiles_done, __ATOMIC_RELAXED)
-    / tile_count : 1;
 }
 
 @end

@@ -31,17 +31,26 @@ sampler_mix(uint64_t x)
   return x;
 }
 
+#define SAMPLER_GOLDEN 0x9e3779b97f4a7c15u
+
+/** 64 bits for a sample of a pixel. */
+static inline uint64_t
+sampler_key(uint64_t seed, unsigned column, unsigned row, uint64_t sample)
+{
+  uint64_t x = sampler_mix(seed + SAMPLER_GOLDEN);
+
+  x = sampler_mix(x ^ (((uint64_t)row << 32 | column) + SAMPLER_GOLDEN));
+  return sampler_mix(x ^ (sample + SAMPLER_GOLDEN));
+}
+
 /** A number in [0, 1), a multiple of 2^-53. */
 static inline double
 sampler_random(uint64_t seed, unsigned column, unsigned row, uint64_t sample,
                enum dimension dimension)
 {
-  const uint64_t golden = 0x9e3779b97f4a7c15u;
-  uint64_t x = sampler_mix(seed + golden);
+  uint64_t x = sampler_key(seed, column, row, sample);
 
-  x = sampler_mix(x ^ (((uint64_t)row << 32 | column) + golden));
-  x = sampler_mix(x ^ (sample + golden));
-  x = sampler_mix(x ^ (dimension + golden));
+  x = sampler_mix(x ^ (dimension + SAMPLER_GOLDEN));
   return (x >> 11) * 0x1p-53;
 }
 

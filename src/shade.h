@@ -10,6 +10,15 @@
 #include "kernel/k_vec.h"
 #include "power.h"
 
+/** What of the formulas is wanted. All 0: everything, as the notes have it. */
+struct shade_choice
+{
+  int exact_fresnel;    // shade_fresnel in place of shade_schlick
+  int no_shadows;       // no feelers: light goes through everything
+  int no_reflection;    // what reflected rays bring back is black
+  int no_refraction;    // and what refracted ones do
+};
+
 /** Notes, "ray objectification": the mirrored direction D - 2 (D.N) N.
     D runs towards the surface, N is unit; either side of N will do. */
 static inline struct k_vec
@@ -29,14 +38,19 @@ shade_reflect(struct k_vec D, struct k_vec N)
     k = 1 - (1 - c^2)/n^2. Written so, k cancels; n^2 k is computed instead,
     as (n-1)(n+1) + c^2 or, for a strong step down, as (n-s)(n+s) with
     s = |D + c N| the sine: exact where the other is not. With n = 1 the
-    ray goes on bit for bit as it came. */
+    ray goes on bit for bit as it came.
+
+    *is_critical: |k| < 4 u, so that the last bits decide whether it is
+    refracted at all; not for n = 1. */
 static inline struct k_vec
-shade_refract(struct k_vec D, struct k_vec N, double n, int *tir)
+shade_refract_near(struct k_vec D, struct k_vec N, double n, int *tir,
+                   int *is_critical)
 {
   double c = -k_dot(D, N);
   struct k_vec along = k_along(D, c, N);        // the part along the surface
   double n2k;
 
+  *is_critical = 0;
   if (tir)
     {
       *tir = 0;
@@ -54,6 +68,7 @@ shade_refract(struct k_vec D, struct k_vec N, double n, int *tir)
       double s = k_length(along);
       n2k = (n - s) * (n + s);
     }
+  *is_critical = fabs(n2k) < 4 * K_U * (n * n);
   if (n2k < 0)
     {
       if (tir)
@@ -65,6 +80,15 @@ shade_refract(struct k_vec D, struct k_vec N, double n, int *tir)
   // A step too large to square leaves along N.
   double nk = n < 0x1p500 ? sqrt(n2k) : n;
   return k_div(k_along(along, -nk, N), n);
+}
+
+/** The same for those who do not ask how near it was. */
+static inline struct k_vec
+shade_refract(struct k_vec D, struct k_vec N, double n, int *tir)
+{
+  int is_critical;
+
+  return shade_refract_near(D, N, n, tir, &is_critical);
 }
 
 /** Takes the rounding out of a direction that was unit and has been
@@ -101,6 +125,25 @@ shade_schlick(struct k_vec D, struct k_vec N, struct k_vec T,
   double m2 = m * m;
 
   return R0 + (1 - R0) * (m2 * m2 * m);
+}
+
+/** What Schlick's formula stands for: Fresnel's equations for light that is not
+    polarised, the mean of how much of it is reflected that swings across the
+    plane of incidence and in it (Born and Wolf, "Principles of Optics",
+    1.5.2). */
+static inline double
+shade_fresnel(struct k_vec D, struct k_vec N, struct k_vec T,
+              double n_i, double n_t)
+{
+  double c_i = -k_dot(D, N), c_t = -k_dot(T, N);
+
+  if (n_i == n_t)
+    {
+      return 0;
+    }
+  double across = (n_i * c_i - n_t * c_t) / (n_i * c_i + n_t * c_t);
+  double in = (n_t * c_i - n_i * c_t) / (n_t * c_i + n_i * c_t);
+  return 0.5 * (across * across + in * in);
 }
 
 /** a / b for a colour a and a length b >= 0. A quotient past the largest

@@ -72,20 +72,28 @@
         }
       return;
     }
-  if (!k_sphere_hit(ray->pos->v, ray->dir->v, center, radius,
-                    &t0, &t1, &p, &s))
+  int how = k_sphere_hit(ray->pos->v, ray->dir->v, center, radius,
+                         &t0, &t1, &p, &s);
+  if (how == 0)
     {
       return;
     }
+  BOOL is_met = NO;
   if ([ray wants: t0])
     {
       struct k_vec N = k_sphere_normal(p, s, -1, ray->dir->v);
-      [ray meets: self at: t0 normal: N point: k_along(center, radius, N)];
+      is_met |= [ray meets: self at: t0 normal: N
+                     point: k_along(center, radius, N)];
     }
   if ([ray wants: t1])
     {
       struct k_vec N = k_sphere_normal(p, s, +1, ray->dir->v);
-      [ray meets: self at: t1 normal: N point: k_along(center, radius, N)];
+      is_met |= [ray meets: self at: t1 normal: N
+                     point: k_along(center, radius, N)];
+    }
+  if (is_met)
+    {
+      ray->hit.is_compensated = how == K_SPHERE_COMPENSATED;
     }
 }
 

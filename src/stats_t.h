@@ -5,6 +5,7 @@
 #import "image_t.h"
 #include "counters.h"
 #include "kernel/k.h"
+#import "noise_facts.h"
 
 enum phase
 {
@@ -23,6 +24,7 @@ enum phase
   BOOL has_truncation;  // error.truncation is known: the largest of a pixel and
   double truncation_most, truncation_mean;      // the mean
   struct k_facts scene; // of the fast engine; isa NULL: there is none
+  struct noise_facts noise;     // of --noise; pixels 0: there is none
 @protected
   double mark;          // when the last phase ended
 }
@@ -39,10 +41,13 @@ enum phase
 /** One line, a JSON object (autoreleased):
     {"seconds": {"load": …, "build": …, "trace": …, "write": …},
     "rays": {"eye": …, "reflection": …, "refraction": …, "feeler": …},
-    "tests": …, "escapes": …, "rays_per_second": …}, and of the fast engine
+    "tests": …, "escapes": …, "compensated": …, "ties": …, "critical": …,
+    "unbalanced": …, "rays_per_second": …}, and of the fast engine
     "nodes": …, "nodes_per_ray": …, "tests_per_ray": …, "tree": {"nodes": …,
-    "depth": …, "cost": …, "bytes": …, "isa": "…"}, and when branches are cut
-    "error": {"truncation": {"most": …, "mean": …}} */
+    "depth": …, "cost": …, "bytes": …, "isa": "…"}, when branches are cut
+    "error": {"truncation": {"most": …, "mean": …}}, and with --noise
+    "noise": {"pixels": …, "rays": …, "largest": …, "rms": …,
+    "capped": …} */
 - (NSString *) json;
 
 @end

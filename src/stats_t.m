@@ -99,6 +99,10 @@ error_text_of(double error)
   [text appendFormat: @"feeler     %16" PRIu64 " rays\n", c->feeler];
   [text appendFormat: @"tests      %16" PRIu64 "\n", c->tests];
   [text appendFormat: @"escapes    %16" PRIu64 "\n", c->escapes];
+  [text appendFormat: @"compensated%16" PRIu64 "\n", c->compensated];
+  [text appendFormat: @"ties       %16" PRIu64 "\n", c->ties];
+  [text appendFormat: @"critical   %16" PRIu64 "\n", c->critical];
+  [text appendFormat: @"unbalanced %16" PRIu64 "\n", c->unbalanced];
   [text appendFormat: @"speed      %16.0f rays/s\n", [self raysPerSecond]];
   if (has_truncation)
     {
@@ -114,6 +118,18 @@ error_text_of(double error)
       [text appendFormat: @"tree       %16u nodes, %u deep, cost %@\n",
             scene.nodes, scene.depth, text_of(scene.cost)];
       [text appendFormat: @"scene      %16zu bytes\n", scene.bytes];
+    }
+  if (noise.pixels)
+    {
+      [text appendFormat: @"noise      %16" PRIu64 " pixels\n", noise.pixels];
+      [text appendFormat: @"           %16" PRIu64 " rays through them\n",
+            noise.rays];
+      [text appendFormat: @"           %16@ largest stated error\n",
+            error_text_of(noise.largest)];
+      [text appendFormat: @"           %16@ root of their mean square\n",
+            error_text_of(noise.rms)];
+      [text appendFormat: @"           %16" PRIu64 " pixels above the limit\n",
+            noise.capped];
     }
   return text;
 }
@@ -131,9 +147,12 @@ error_text_of(double error)
   [json appendFormat: @"}, \"rays\": {\"eye\": %" PRIu64
         ", \"reflection\": %" PRIu64 ", \"refraction\": %" PRIu64
         ", \"feeler\": %" PRIu64 "}, \"tests\": %" PRIu64
-        ", \"escapes\": %" PRIu64 ", \"rays_per_second\": %.0f",
+        ", \"escapes\": %" PRIu64 ", \"compensated\": %" PRIu64
+        ", \"ties\": %" PRIu64 ", \"critical\": %" PRIu64
+        ", \"unbalanced\": %" PRIu64 ", \"rays_per_second\": %.0f",
         c->eye, c->reflection, c->refraction, c->feeler, c->tests,
-        c->escapes, [self raysPerSecond]];
+        c->escapes, c->compensated, c->ties, c->critical, c->unbalanced,
+        [self raysPerSecond]];
   if (scene.isa)
     {
       [json appendFormat: @", \"nodes\": %" PRIu64 ", \"nodes_per_ray\": %@"
@@ -149,6 +168,14 @@ error_text_of(double error)
       [json appendFormat: @", \"error\": {\"truncation\": {\"most\": %@,"
             @" \"mean\": %@}}", error_text_of(truncation_most),
             error_text_of(truncation_mean)];
+    }
+  if (noise.pixels)
+    {
+      [json appendFormat: @", \"noise\": {\"pixels\": %" PRIu64
+            @", \"rays\": %" PRIu64 @", \"largest\": %@, \"rms\": %@,"
+            @" \"capped\": %" PRIu64 "}", noise.pixels, noise.rays,
+            error_text_of(noise.largest), error_text_of(noise.rms),
+            noise.capped];
     }
   [json appendString: @"}\n"];
   return json;

@@ -20,10 +20,17 @@ $(BUILD_DIR)/tests/%: tests/%.m $(FLAGS_FILE)
 	  $< -o $@ $(LINK_FLAGS) $(RPATH) -L$(BUILD_DIR) $(LIBRARY) \
 	  $(LIBS) $(BASE_LIBS) >$@.log 2>&1 || { rm -f $@; exit 1; }
 
+# bench/trade/coverage.m is such a program too.
+$(BUILD_DIR)/bench/%: bench/%.m $(FLAGS_FILE)
+	@mkdir -p $(@D)
+	@$(CC) $(OBJC_FLAGS) $(FLAGS) $(INCLUDES) -MMD -MP -MF $@.d $< -o $@ \
+	  $(LINK_FLAGS) $(RPATH) -L$(BUILD_DIR) $(LIBRARY) $(LIBS) $(BASE_LIBS) >$@.log 2>&1 \
+	  || { rm -f $@; exit 1; }
+
 # With libFuzzer's main, in the build `fuzz` only.
 $(BUILD_DIR)/fuzz: tests/fuzz/harness/fuzz.m $(BUILD_DIR)/libraytrace.so
 	@$(CC) $(OBJC_FLAGS) $(FLAGS) $(INCLUDES) $< -o $@ $(LINK_FLAGS) \
 	  -fsanitize=fuzzer -Wl,-rpath,'$$ORIGIN' -L$(BUILD_DIR) $(LIBRARY) \
 	  $(LIBS) $(BASE_LIBS)
 
--include $(wildcard $(BUILD_DIR)/tests/*/*.d)
+-include $(wildcard $(BUILD_DIR)/tests/*/*.d $(BUILD_DIR)/bench/*/*.d)

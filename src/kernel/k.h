@@ -11,6 +11,7 @@
 #include "../counters.h"
 #include "../cut.h"
 #include "../eye_ray.h"
+#include "../shade.h"
 #include "k_bounds.h"
 #include "k_plane_hit.h"
 
@@ -96,6 +97,7 @@ struct k_settings
   struct k_vec background;
   unsigned max_depth;
   struct cut_rule cut;
+  struct shade_choice choice;
   unsigned threads;     // that build the tree
   const char *isa;      // instruction set; NULL: the best there is
 };

@@ -25,7 +25,7 @@ k_sphere_far_side(const struct k_sphere *sphere, struct k_ray *ray)
     normal waits until the hit has turned out to be the nearest. */
 static inline void
 k_sphere_root(const struct k_sphere *sphere, struct k_ray *ray, double t,
-              int side, struct k_vec p, double s)
+              int side, struct k_vec p, double s, int is_compensated)
 {
   if (!k_wants(ray, t))
     {
@@ -45,13 +45,18 @@ k_sphere_root(const struct k_sphere *sphere, struct k_ray *ray, double t,
           ray->hit.surface = &sphere->s;
           ray->hit.N = v;
           ray->hit.finish = K_FINISH_SPHERE;
+          ray->hit.is_compensated = is_compensated;
           ray->hit.center = sphere->center;
           ray->hit.radius = sphere->radius;
         }
       return;
     }
   struct k_vec N = k_unit(v);
-  k_meets(ray, &sphere->s, t, N, k_along(sphere->center, sphere->radius, N));
+  if (k_meets(ray, &sphere->s, t, N,
+              k_along(sphere->center, sphere->radius, N)))
+    {
+      ray->hit.is_compensated = is_compensated;
+    }
 }
 
 static inline void
@@ -68,11 +73,13 @@ k_sphere_ask(const struct k_sphere *sphere, struct k_ray *ray)
         }
       return;
     }
-  if (k_sphere_hit(ray->o, ray->d, sphere->center, sphere->radius,
-                   &t0, &t1, &p, &s))
+  int how = k_sphere_hit(ray->o, ray->d, sphere->center, sphere->radius,
+                         &t0, &t1, &p, &s);
+  if (how)
     {
-      k_sphere_root(sphere, ray, t0, -1, p, s);
-      k_sphere_root(sphere, ray, t1, +1, p, s);
+      int is_compensated = how == K_SPHERE_COMPENSATED;
+      k_sphere_root(sphere, ray, t0, -1, p, s, is_compensated);
+      k_sphere_root(sphere, ray, t1, +1, p, s, is_compensated);
     }
 }
 

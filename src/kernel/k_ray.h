@@ -21,6 +21,7 @@ struct k_hit
   const struct k_surface *surface;      // NULL: nothing
   struct k_vec P, N;
   enum k_finish finish;
+  int is_compensated;                   // as in ray_t's struct hit
   const struct k_plane *plane;          // K_FINISH_PLANE
   struct k_vec center;                  // K_FINISH_SPHERE
   double radius;
@@ -40,6 +41,8 @@ struct k_ray
   const struct k_media *media;
   unsigned only;                // the one medium whose surface is asked; 0: all
   struct k_hit hit;
+  const struct k_surface *tied; // the one that won, where two were last met at
+                                // the same t
   struct counters *counters;
 };
 
@@ -62,6 +65,7 @@ k_ray_start(struct k_ray *ray, struct k_vec o, struct k_vec d,
   ray->only = 0;
   ray->hit.t = HUGE_VAL;
   ray->hit.surface = NULL;
+  ray->tied = NULL;
   ray->counters = counters;
 }
 
@@ -111,10 +115,20 @@ k_is_end(const struct k_ray *ray, const struct k_surface *s, double t,
 
 /** Whether it is nearer than the hit so far; equal t: the lower number. */
 static inline int
-k_is_nearer(const struct k_ray *ray, const struct k_surface *s, double t)
+k_is_nearer(struct k_ray *ray, const struct k_surface *s, double t)
 {
-  return t < ray->hit.t
-    || (t == ray->hit.t && s->number < ray->hit.surface->number);
+  if (t < ray->hit.t)
+    {
+      return 1;
+    }
+  if (__builtin_expect(t == ray->hit.t, 0))
+    {
+      const struct k_surface *other = ray->hit.surface;
+      const struct k_surface *first = s->number < other->number ? s : other;
+      ray->tied = s == other ? ray->tied : first;
+      return first != other;
+    }
+  return 0;
 }
 
 /** -[ray_t exits:…] with everything known. */
@@ -131,6 +145,7 @@ k_exits(struct k_ray *ray, const struct k_surface *s, double t,
   ray->hit.N = N;
   ray->hit.P = P;
   ray->hit.finish = K_FINISHED;
+  ray->hit.is_compensated = 0;
   return 1;
 }
 
@@ -159,6 +174,7 @@ k_meets_plane(struct k_ray *ray, const struct k_surface *s, double t,
   ray->hit.surface = s;
   ray->hit.plane = plane;
   ray->hit.finish = K_FINISH_PLANE;
+  ray->hit.is_compensated = 0;
   return 1;
 }
 

@@ -66,10 +66,13 @@ k_sphere_power(struct k_vec o, struct k_vec center, double radius)
   return sum + rest;
 }
 
+#define K_SPHERE_COMPENSATED 2
+
 /** Both roots t0 <= t1 of the line o + t d (d unit) and the sphere, and p,
     the line's nearest point to the center, seen from the center; *s is half
     the distance between the roots. Returns 0 when the line misses, 1 when it
-    meets the sphere (a tangent does). */
+    meets the sphere (a tangent does), K_SPHERE_COMPENSATED when it does and o
+    is so near the surface that c was computed with its rounding errors. */
 static inline int
 k_sphere_hit(struct k_vec o, struct k_vec d, struct k_vec center,
              double radius, double *t0, double *t1, struct k_vec *p,
@@ -81,7 +84,7 @@ k_sphere_hit(struct k_vec o, struct k_vec d, struct k_vec center,
   double c = ff - radius * radius;
 
   *p = k_along(f, b, d);
-  if (fabs(c) < 0x1p-10 * ff)           // near the surface
+  if (__builtin_expect(fabs(c) < 0x1p-10 * ff, 0))      // near the surface
     {
       c = k_sphere_power(o, center, radius);
       double discriminant = b * b - c;
@@ -94,7 +97,7 @@ k_sphere_hit(struct k_vec o, struct k_vec d, struct k_vec center,
       double other = q == 0 ? 0 : c / q;
       *t0 = b > 0 ? other : q;
       *t1 = b > 0 ? q : other;
-      return 1;
+      return K_SPHERE_COMPENSATED;
     }
   double discriminant = radius * radius - k_dot(*p, *p);
   if (discriminant < 0)

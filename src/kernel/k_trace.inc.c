@@ -104,8 +104,11 @@ light_up(const struct k_scene *scene, const struct k_light *light,
     {
       return;
     }
-  feelers->counters->feeler += n;
-  k_find_many(scene, feelers, n, 1);
+  if (!scene->settings.choice.no_shadows)
+    {
+      feelers->counters->feeler += n;
+      k_find_many(scene, feelers, n, 1);
+    }
   for (unsigned j = 0; j < n; j++)
     {
       struct point *p = &points[of[j]];
@@ -138,7 +141,7 @@ refract(const struct k_scene *scene, struct point *p, struct k_media *room)
   int goes_in = k_dot(ray->hit.N, ray->d) < 0;
   double n_i = ray->media ? ray->media->ior : 1;
   double n_t = ior;
-  int tir;
+  int tir, is_critical;
 
   p->inside = ray->media;
   if (medium && goes_in)
@@ -153,9 +156,17 @@ refract(const struct k_scene *scene, struct point *p, struct k_media *room)
       p->inside = k_media_leave(ray->media, medium, room);
       n_i = ior;
       n_t = p->inside ? p->inside->ior : 1;
+      ray->counters->unbalanced += p->inside == ray->media;
     }
-  struct k_vec T = shade_refract(ray->d, p->Ns, n_t / n_i, &tir);
-  p->R = tir ? 1 : shade_schlick(ray->d, p->Ns, T, n_i, n_t);
+  struct k_vec T = shade_refract_near(ray->d, p->Ns, n_t / n_i, &tir,
+                                      &is_critical);
+  if (__builtin_expect(is_critical, 0))
+    {
+      ray->counters->critical++;
+    }
+  p->R = tir ? 1 : scene->settings.choice.exact_fresnel
+    ? shade_fresnel(ray->d, p->Ns, T, n_i, n_t)
+    : shade_schlick(ray->d, p->Ns, T, n_i, n_t);
   p->t = medium && n_i != n_t ? shade_renew(T) : ray->d;
 }
 
@@ -304,6 +315,10 @@ trace_ambient(const struct k_scene *scene, struct k_ray *rays, unsigned n,
   for (unsigned i = 0; i < n; i++)
     {
       const struct k_hit *hit = &rays[i].hit;
+      if (hit->surface)
+        {
+          count_hit(&rays[i]);
+        }
       colors[i] = hit->surface
         ? shade_ambient(scene->materials[hit->surface->material].ambient,
                         rays[i].dis + hit->t)
@@ -331,6 +346,7 @@ trace_either(const struct k_scene *scene, struct k_ray *rays, unsigned n,
           colors[i] = scene->settings.background;
           continue;
         }
+      count_hit(ray);
       finish_hit(ray);
       if (ray->media && any_is_left(scene, ray))
         {
@@ -371,8 +387,11 @@ trace_either(const struct k_scene *scene, struct k_ray *rays, unsigned n,
       cut_pair(&p->pair, &scene->settings.cut, p->cut, p->m->specular,
                p->m->alpha, p->R, depth + 1, p->ray->dis);
     }
-  reflect_all(scene, points, count, depth, children, of, cuts != NULL);
-  if (is_clear)
+  if (!scene->settings.choice.no_reflection)
+    {
+      reflect_all(scene, points, count, depth, children, of, cuts != NULL);
+    }
+  if (is_clear && !scene->settings.choice.no_refraction)
     {
       refract_all(scene, points, count, depth, children, of, cuts != NULL);
     }

@@ -48,7 +48,7 @@ wrong "unknown option '--form'; did you mean '--format-scene'?" --form
 wrong "unknown option '--res'; did you mean '--resolution'?" --res=8x6
 wrong "unknown option '--sample'; did you mean '--samples' or '--sampler'?" \
   --sample 4
-wrong "unknown option '--s'; did you mean '--samples', '--sampler', '--seed' \
+wrong "unknown option '--s'; did you mean '--show-quality', '--samples', '--sampler', '--seed' \
 or '--stats'?" --s
 wrong "unknown option '--'" --=4
 wrong "no scene given; see 'raytrace --help'"
@@ -92,9 +92,11 @@ for bad in 0,0,9,6 0,0,8,7 8,0,9,6; do
   wrong "option '--crop' goes beyond the picture of 8 x 6 pixels" \
     --crop $bad pin.mdl -o x.exr
 done
-wrong "option '--sampler' takes one of random, grid, not 'gird'; \
+wrong "option '--sampler' takes one of owen, random, \
+stratified, grid, not 'gird'; \
 did you mean 'grid'?" --sampler gird
-wrong "option '--sampler' takes one of random, grid, not 'sobol'" \
+wrong "option '--sampler' takes one of owen, random, \
+stratified, grid, not 'sobol'" \
   --sampler sobol
 wrong "option '--engine' takes one of fast, notes, not 'slow'" --engine slow
 wrong "option '--isa' takes one of best, avx2, base, not 'sse9'" --isa sse9
@@ -124,11 +126,20 @@ done
 wrong "sampler grid takes a square number of samples (1, 4, 9, 16 ...), \
 not 8" pin.mdl --sampler grid --samples 8 -o x.exr
 for pair in '--check --format-scene' '--check --plan' \
-  '--format-scene --plan'; do
+  '--format-scene --plan' '--plan --explain=0,0'; do
   read -ra both <<<"$pair"
-  wrong "options '--check', '--format-scene' and '--plan' exclude each other" \
-    pin.mdl "${both[@]}"
+  wrong "options '--check', '--format-scene', '--plan' and '--explain' exclude \
+each other" pin.mdl "${both[@]}"
 done
+wrong "option '--noise' finds the number of rays itself: without '--samples' \
+and '--exposure'" pin.mdl --noise .1 --samples 4 -o x.exr
+for bad in stratified grid; do
+  wrong "option '--noise' takes the samplers owen and random" \
+    pin.mdl --noise .1 --sampler $bad -o x.exr
+done
+wrong "option '--confidence' needs '--noise'" pin.mdl --confidence .9 -o x.exr
+wrong "option '--max-samples' needs '--noise'" pin.mdl --max-samples 99 \
+  -o x.exr
 wrong "option '--exposure' needs a camera with a lens: focus, fstop, exposure" \
   pin.mdl --exposure 4 -o x.exr
 same "$(ls)" "$(printf '%s\n' err.txt lens.mdl out.txt pin.mdl)" \
@@ -149,6 +160,10 @@ right --max-depth=1000 pin.mdl
 right --samples 3 pin.mdl
 right --samples 9 --sampler grid pin.mdl
 right --sampler random pin.mdl
+right --sampler owen --samples 3 lens.mdl
+right --sampler stratified --samples 3 lens.mdl
+right --noise 1/8 --confidence .9 lens.mdl
+right --noise .1 --sampler random --max-samples 100 pin.mdl
 right --exposure 3 lens.mdl
 right --crop 0,0,8,6 pin.mdl
 right --crop 7,5,8,6 pin.mdl

@@ -32,12 +32,16 @@ test_stats(void)
   stats->counters = (struct counters){ .eye = UINT64_MAX - 100,
                                        .reflection = 2, .refraction = 3,
                                        .feeler = 4, .tests = 5,
-                                       .escapes = 6 };
+                                       .escapes = 6, .compensated = 7,
+                                       .ties = 8, .critical = 9,
+                                       .unbalanced = 10 };
   PASS([[stats json] isEqual:
          @"{\"seconds\": {\"load\": 0.250000, \"build\": 1.250000, \"trace\": "
          @"2.250000, \"write\": 12345.000000}, \"rays\": {\"eye\": "
          @"18446744073709551515, \"reflection\": 2, \"refraction\": 3, "
          @"\"feeler\": 4}, \"tests\": 5, \"escapes\": 6, "
+         @"\"compensated\": 7, \"ties\": 8, \"critical\": 9, "
+         @"\"unbalanced\": 10, "
          @"\"rays_per_second\": 8198552921648689152}\n"],
        "JSON");
   PASS([[stats text] isEqual:
@@ -51,6 +55,10 @@ test_stats(void)
          @"feeler                    4 rays\n"
          @"tests                     5\n"
          @"escapes                   6\n"
+         @"compensated               7\n"
+         @"ties                      8\n"
+         @"critical                  9\n"
+         @"unbalanced               10\n"
          @"speed      8198552921648689152 rays/s\n"], "text");
 
   stats->counters = (struct counters){ .eye = 4, .tests = 6, .nodes = 10 };

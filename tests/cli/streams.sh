@@ -77,13 +77,15 @@ n='[0-9]+' s='[0-9]+\.[0-9]{6}'
 pass "--stats=json is one object on one line" grep -qE "^\{\"seconds\": \
 \{\"load\": $s, \"build\": $s, \"trace\": $s, \"write\": $s\}, \"rays\": \
 \{\"eye\": 60000, \"reflection\": $n, \"refraction\": 0, \"feeler\": $n\}, \
-\"tests\": $n, \"escapes\": 0, \"rays_per_second\": $n, \"nodes\": $n, \
+\"tests\": $n, \"escapes\": 0, \"compensated\": $n, \"ties\": $n, \
+\"critical\": 0, \"unbalanced\": 0, \"rays_per_second\": $n, \
+\"nodes\": $n, \
 \"nodes_per_ray\": $s, \"tests_per_ray\": $s, \"tree\": \{\"nodes\": $n, \
 \"depth\": $n, \"cost\": $s, \"bytes\": $n, \"isa\": \"[a-z0-9]+\"\}\}$" json.txt
 same "$(wc -l <json.txt)" 1 "and nothing else"
 "$RAYTRACE" -q pin.mdl -o - --stats 2>text.txt >out.ppm
 pass "--stats is text" grep -qE '^eye +60000 rays$' text.txt
-same "$(wc -l <text.txt)" 15 "of fifteen lines, with -q too"
+same "$(wc -l <text.txt)" 19 "of nineteen lines, with -q too"
 "$RAYTRACE" --check pin.mdl --stats=json 2>json.txt
 pass "--check --stats=json: no rays" grep -q '"eye": 0' json.txt
 

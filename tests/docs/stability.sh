@@ -6,6 +6,7 @@
 if [ "$BUILD" != default ]; then
   skip "the table is of the default build"
   test_done
+  exit
 fi
 pass "every id of the battery passes" \
   sh -c '"$0/tests/stability/extremes" >"$1"' "$ROOT" "$TMP/table.md"

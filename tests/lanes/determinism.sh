@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Every scene gives the same bytes, colours, depths, normals and object
 # numbers, with 1, 2 and 7 threads, from both engines, with every instruction
-# set.
+# set; and the same numbers of what happened near the edge.
 . "$ROOT/tests/test.sh"
 
 # What is compared with one thread of the fast engine.
@@ -15,14 +15,17 @@ declare -A ways=(
 # render SCENE OUT OPTION...
 render()
 {
-  "$RAYTRACE" "$1" -q -r 64x48 --aov depth,normal,object -o "$2" "${@:3}"
+  "$RAYTRACE" "$1" -q -r 64x48 --aov depth,normal,object -o "$2" "${@:3}" \
+    --stats=json 2>"$TMP/stats.json" &&
+    grep -o '"escapes".*"unbalanced": [0-9]*' "$TMP/stats.json" >"$2.edges"
 }
 
 # same_bytes SCENE OPTION...: renders the bytes of one.exr.
 same_bytes()
 {
   rm -f "$TMP/other.exr"
-  render "$1" "$TMP/other.exr" "${@:2}" && cmp "$TMP"/{one,other}.exr
+  render "$1" "$TMP/other.exr" "${@:2}" && cmp "$TMP"/{one,other}.exr &&
+    cmp "$TMP"/{one,other}.exr.edges
 }
 
 mapfile -t scenes < <(scene_files)

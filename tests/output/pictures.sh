@@ -42,7 +42,7 @@ if has exrheader; then
   for line in 'software (type string): "raytrace ' \
     'raytrace:version (type string): "' \
     'raytrace:seed (type string): "7"' \
-    'raytrace:options (type string): "--samples 4 --sampler random --max-dep' \
+    'raytrace:options (type string): "--samples 4 --sampler owen --max-dept' \
     "raytrace:sceneSHA256 (type string): \"${hash%% *}\"" \
     'dataWindow (type box2i): (0 0) - (39 29)' \
     'displayWindow (type box2i): (0 0) - (39 29)' \

@@ -192,6 +192,181 @@ random_samples(void)
   PASS(!support_same(ways[0], first), "another seed, other places");
 }
 
+/** How many of the 2^k parts of each grid of 2^a x 2^(k-a) do not have
+    exactly one of the points. */
+static unsigned
+uneven(const double (*points)[2], unsigned k)
+{
+  unsigned wrong = 0, n = 1u << k;
+
+  for (unsigned a = 0; a <= k; a++)
+    {
+      unsigned seen[1024] = { 0 };
+      for (unsigned i = 0; i < n; i++)
+        {
+          unsigned across = points[i][0] * (1u << a);
+          unsigned up = points[i][1] * (1u << (k - a));
+          seen[across << (k - a) | up]++;
+        }
+      for (unsigned i = 0; i < n; i++)
+        {
+          wrong += seen[i] != 1;
+        }
+    }
+  return wrong;
+}
+
+/** Owen's sequence: even parts, each point anywhere, and no relation between
+    pixels, batches, seeds and the two pairs. */
+static void
+owen(void)
+{
+  static double points[1024][2];
+  unsigned wrong = 0;
+  const unsigned n = 40000;
+  double sums[7] = { 0 };
+
+  for (unsigned seed = 0; seed < 30; seed++)
+    {
+      struct owen sequence = owen_sequence(seed, 3 * seed, 7, seed % 3,
+                                           seed % 2 ? DIMENSION_LENS_U
+                                           : DIMENSION_PIXEL_RIGHT);
+      for (unsigned k = 0; k <= 10; k++)
+        {
+          for (unsigned i = 0; i < 1u << k; i++)
+            {
+              owen_point(&sequence, (seed % 4 << k) + i, &points[i][0],
+                         &points[i][1]);
+            }
+          wrong += uneven(points, k);
+        }
+    }
+  PASS(wrong == 0, "owen: 2^k points, one in each of 2^a x 2^(k-a) parts: %u",
+       wrong);
+  for (unsigned i = 0; i < n; i++)
+    {
+      unsigned x = i % 200, y = i / 200;
+      const struct owen other[5] = {
+        owen_sequence(1, x, y, 0, DIMENSION_PIXEL_RIGHT),
+        owen_sequence(1, x + 1, y, 0, DIMENSION_LENS_U),
+        owen_sequence(1, x, y + 1, 0, DIMENSION_LENS_U),
+        owen_sequence(1, x, y, 1, DIMENSION_LENS_U),
+        owen_sequence(2, x, y, 0, DIMENSION_LENS_U)
+      };
+      struct owen one = owen_sequence(1, x, y, 0, DIMENSION_LENS_U);
+      double a, b, c, d;
+      owen_point(&one, i % 8, &a, &b);
+      for (unsigned k = 0; k < 5; k++)
+        {
+          owen_point(&other[k], i % 8, &c, &d);
+          sums[k] += (a - 0.5) * (c - 0.5);
+        }
+      sums[5] += (a - 0.5) * (b - 0.5);
+      sums[6] += a - 0.5;
+    }
+  const char *what[] = { "the pixel", "the next column", "the next row",
+                         "the next batch", "the next seed", "the other number"
+  };
+  for (unsigned k = 0; k < 6; k++)
+    {
+      PASS_NEAR(sums[k] / n, 0, 5 / (12 * sqrt(n)), "owen: %s has nothing to"
+                " do with the lens", what[k]);
+    }
+  PASS_NEAR(sums[6] / n, 0, 5 / sqrt(12.0 * n), "owen: the mean is 1/2");
+}
+
+/** The root of the mean square error of the mean of n places on the lens: of
+    the half of a lens behind an edge, and of a smooth picture. */
+static void
+errors_of(enum sampler sampler, unsigned n, double *edge, double *smooth)
+{
+  // The integrals over the unit square of [a + 0.7 b < 0.6] and of e^-a cos 3b.
+  const double half = 0.18 / 0.7, whole = (1 - exp(-1)) * sin(3) / 3;
+  struct ray_places p = { .sampler = sampler, .samples = 1, .exposure = n,
+                          .rays = n, .has_lens = YES };
+  double squares[2] = { 0, 0 };
+
+  for (unsigned trial = 0; trial < 400; trial++)
+    {
+      double sums[2] = { 0, 0 };
+      struct sample s;
+      ray_places_begin(&p, trial, 3, 0);
+      for (unsigned i = 0; i < n; i++)
+        {
+          ray_places_set(&p, i, &s);
+          double a = (s.u + 1) / 2, b = (s.v + 1) / 2;
+          sums[0] += a + 0.7 * b < 0.6;
+          sums[1] += exp(-a) * cos(3 * b);
+        }
+      squares[0] += pow(sums[0] / n - half, 2);
+      squares[1] += pow(sums[1] / n - whole, 2);
+    }
+  *edge = sqrt(squares[0] / 400);
+  *smooth = sqrt(squares[1] / 400);
+}
+
+/** What a sampler is for. The limits are those of a study of such samplers,
+    and a tenth more for the number of trials. */
+static void
+errors(void)
+{
+  double edge, smooth, random_edge, random_smooth;
+
+  errors_of(SAMPLER_RANDOM, 64, &random_edge, &random_smooth);
+  PASS_NEAR(random_edge, sqrt(0.18 / 0.7 * (1 - 0.18 / 0.7) / 64),
+            0.1 * random_edge, "random: the error of a binomial");
+  errors_of(SAMPLER_OWEN, 64, &edge, &smooth);
+  PASS(edge < 1.1 * 0.018 && smooth < 1.1 * 2.0e-3,
+       "owen, 64 places: errors %g, %g", edge, smooth);
+  errors_of(SAMPLER_OWEN, 256, &edge, &smooth);
+  PASS(edge < 1.1 * 6.3e-3 && smooth < 1.1 * 3.6e-4,
+       "owen, 256 places: errors %g, %g", edge, smooth);
+  errors_of(SAMPLER_STRATIFIED, 64, &edge, &smooth);
+  // 64 squares, each with the variance of the gradient in it: a mean of its
+  // square of 2.24, by 12 and by 64.
+  PASS_NEAR(smooth, sqrt(2.24 / 12) / 64, 0.1 * smooth,
+            "stratified, 64 places: the error of a smooth picture");
+  PASS(edge < 1.1 * 0.020, "and at an edge: %g", edge);
+  errors_of(SAMPLER_OWEN, 50, &edge, &smooth);
+  PASS(edge < random_edge / 2 && smooth < random_smooth / 4,
+       "owen, 50 places: errors %g, %g", edge, smooth);
+  errors_of(SAMPLER_STRATIFIED, 50, &edge, &smooth);
+  PASS(edge < random_edge / 1.8 && smooth < random_smooth / 3,
+       "stratified, 50 places: errors %g, %g", edge, smooth);
+}
+
+/** Parts of equal area, each with one point. */
+static void
+stratified(void)
+{
+  unsigned wrong = 0, outside = 0;
+
+  for (unsigned n = 1; n <= 300; n++)
+    {
+      uint64_t rows = stratified_rows(n);
+      unsigned seen[300] = { 0 };
+      double area = 0;
+      for (unsigned i = 0; i < n; i++)
+        {
+          double a0 = 0, b0 = 0, a1 = 1, b1 = 1;
+          stratified_point(i, n, rows, &a0, &b0);
+          stratified_point(i, n, rows, &a1, &b1);
+          outside += !(a0 >= 0 && a1 <= 1 + 1e-12 && b0 >= 0
+                       && b1 <= 1 + 1e-12);
+          wrong += fabs((a1 - a0) * (b1 - b0) * n - 1) > 1e-12;
+          wrong += n > 3 && (a1 - a0 > 2.1 * (b1 - b0)
+                             || b1 - b0 > 2.1 * (a1 - a0));
+          area += (a1 - a0) * (b1 - b0);
+          uint64_t at = stratified_place(i, n, 0x123456789abcdefu * n);
+          outside += at >= n;
+          wrong += at < n && seen[at]++ > 0;
+        }
+      wrong += fabs(area - 1) > 1e-10;
+    }
+  PASS(wrong == 0 && outside == 0, "stratified: n parts of equal area, none"
+       " long, each taken once: %u, %u", wrong, outside);
+}
+
 static void
 lenses(void)
 {
@@ -239,6 +414,9 @@ main(void)
   numbers();
   grid();
   random_samples();
+  owen();
+  stratified();
+  errors();
   lenses();
   [pool release];
   return test_done();

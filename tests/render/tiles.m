@@ -9,7 +9,7 @@ same_counters(struct counters a, struct counters b)
 {
   return a.eye == b.eye && a.reflection == b.reflection
     && a.refraction == b.refraction && a.feeler == b.feeler
-    && a.tests == b.tests && a.escapes == b.escapes;
+    && a.tests == b.tests && counters_same_edges(&a, &b);
 }
 
 static void
@@ -139,6 +139,12 @@ main(void)
   options.seed = 99;
   threads(lens, options, "two samples");
   crops(lens, options, "two samples");
+  options.sampler = SAMPLER_OWEN;
+  threads(lens, options, "owen");
+  crops(lens, options, "owen");
+  options.sampler = SAMPLER_STRATIFIED;
+  threads(lens, options, "stratified");
+  crops(lens, options, "stratified");
   rows();
   empty();
   [pool release];

@@ -148,7 +148,8 @@ sweep_ray(struct run *run, struct support_random *random, double rho,
   o = battery_put(run, o);
   d = battery_turn(run, d);
   center = battery_put(run, center);
-  int is_hit = k_sphere_hit(o, d, center, IN(run, 1), &t0, &t1, &p, &s);
+  int is_hit = k_sphere_hit(o, d, center, IN(run, 1), &t0, &t1, &p, &s)
+    != 0;
   note_number(run, is_hit);
   double delta = 1 - (double)roots.b;
   if (is_hit != expected)

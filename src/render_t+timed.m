@@ -1,0 +1,176 @@
+// render_t+timed.m - --time-limit: the best picture there is time for. Whole
+// passes only, each one ray through every pixel, in the order in which
+// --samples would take them: their sums are the same bits.
+
+#import "render_t.h"
+#import "camera_t.h"
+#include "clock.h"
+#include "grow.h"
+
+enum { TILE_SIDE = 16 };
+
+@implementation render_t (timed)
+
+- (unsigned) samplesDone
+{
+  return passes;
+}
+
+- (struct window) windowOf: (unsigned)tile
+{
+  struct window w;
+
+  w.x0 = image->window.x0 + tile % tiles_across * TILE_SIDE;
+  w.y0 = image->window.y0 + tile / tiles_across * TILE_SIDE;
+  w.x1 = MIN(w.x0 + TILE_SIDE, image->window.x1);
+  w.y1 = MIN(w.y0 + TILE_SIDE, image->window.y1);
+  return w;
+}
+
+/** The colours of some pixels of one row by ray number `ray` of each. */
+- (void) row: (unsigned)y : (unsigned)x0 : (unsigned)x1
+         ray: (uint64_t)ray places: (struct ray_places *)places
+    counters: (struct counters *)count
+{
+  struct sample samples[EYE_RAYS];
+  struct eye_ray rays[EYE_RAYS];
+  unsigned n = x1 - x0;
+  size_t at = [image pixelAt: x0 : y] - image->pixels;
+
+  for (unsigned i = 0; i < n; i++)
+    {
+      struct sample sample = { .column = x0 + i, .row = image->rows - 1 - y };
+      if (places->moves_in_pixel || places->has_lens)
+        {
+          ray_places_begin(places, sample.column, sample.row, 0);
+          ray_places_set(places, ray, &sample);
+        }
+      samples[i] = sample;
+    }
+  [camera rays: rays : n of: samples];
+  [engine trace: rays : n counters: count];
+  for (unsigned i = 0; i < n; i++)
+    {
+      pass[at + i] = rays[i].color;
+    }
+}
+
+/** Takes tiles of this pass until none are left or the time is up. */
+- (void) passTiles
+{
+  NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
+  struct counters mine = { 0 };
+  struct ray_places places = [self places];
+  BOOL is_first = passes == 0;
+  unsigned tile;
+
+  // The first pass goes through the pixels' points; those after it are the rays
+  // of a picture with many, whose number matters to no ray.
+  places.samples = 2;
+  places.exposure = 1;
+  places.rays = UINT32_MAX;
+  places.moves_in_pixel = !is_first;
+  while ((tile = __atomic_fetch_add(&next_tile, 1, __ATOMIC_RELAXED))
+         < tile_count)
+    {
+      struct window w = [self windowOf: tile];
+      BOOL is_late = NO;
+      for (unsigned y = w.y0; y < w.y1 && !is_late; y++)
+        {
+          [self row: y : w.x0 : w.x1 ray: is_first ? 0 : passes - 1
+             places: &places counters: &mine];
+          is_late = clock_seconds() > options.until;
+        }
+      if (is_late)
+        {
+          break;
+        }
+      tile_is_there[tile] = 1;
+      __atomic_fetch_add(&tiles_done, 1, __ATOMIC_RELAXED);
+    }
+  [lock lock];
+  counters_add(&counters, &mine);
+  [lock unlock];
+  [pool release];
+}
+
+/** One pass; NO if the time was up before it was complete. */
+- (BOOL) onePass
+{
+  next_tile = tiles_done = 0;
+  memset(tile_is_there, 0, tile_count);
+  [self inThreads: @selector(passTiles)];
+  return tiles_done == tile_count;
+}
+
+/** Gives tiles that are not there the colours of the last one before them that
+    is, column by column of the tile; black where there is none. */
+- (void) fillTiles
+{
+  size_t count = (size_t)[image width] * [image height];
+  unsigned last = 0;
+
+  for (size_t i = 0; i < count; i++)
+    {
+      image->pixels[i].color = pass[i];
+    }
+  for (unsigned tile = 0; tile < tile_count; tile++)
+    {
+      if (tile_is_there[tile])
+        {
+          last = tile;
+          continue;
+        }
+      struct window w = [self windowOf: tile], v = [self windowOf: last];
+      for (unsigned y = w.y0; y < w.y1; y++)
+        {
+          for (unsigned x = w.x0; x < w.x1; x++)
+            {
+              unsigned from_x = MIN(v.x0 + (x - w.x0), v.x1 - 1);
+              unsigned from_y = MIN(v.y0 + (y - w.y0), v.y1 - 1);
+              struct k_vec color = k_vec(0, 0, 0);
+              if (tile_is_there[last])
+                {
+                  color = [image pixelAt: from_x : from_y]->color;
+                }
+              [image pixelAt: x : y]->color = color;
+            }
+        }
+    }
+}
+
+- (void) runTimed
+{
+  size_t count = (size_t)[image width] * [image height];
+  unsigned rays = 0;            // in the sums, beside the first pass
+
+  pass = new_array(count, sizeof *pass);
+  tile_is_there = new_array(tile_count, 1);
+  if (![self onePass])
+    {
+      [self fillTiles];
+      return;
+    }
+  for (size_t i = 0; i < count; i++)
+    {
+      image->pixels[i].color = pass[i];
+    }
+  struct k_vec *sums = new_array(count, sizeof *sums);
+  for (passes = 1; passes < UINT32_MAX && [self onePass]; passes++)
+    {
+      for (size_t i = 0; i < count; i++)
+        {
+          sums[i] = k_add(sums[i], pass[i]);
+        }
+      rays = passes;
+    }
+  // Two rays are the least that are a picture of many.
+  for (size_t i = 0; rays > 1 && i < count; i++)
+    {
+      image->pixels[i].color = k_div(sums[i], (double)rays);
+    }
+  passes = rays > 1 ? rays : 1;
+  free(sums);
+}
+
+@end
