@@ -9,7 +9,6 @@
 struct writing
 {
   NSMutableData *bytes;
-  NSString *message;    // what OpenEXR said of the first failure; autoreleased
   const struct exr_channel *channels[EXR_CHANNELS];
   unsigned count;       // of channels
   union exr_value *lines;       // of one chunk, channel after channel
@@ -40,17 +39,17 @@ write_bytes(exr_const_context_t context, void *user, const void *bytes,
   return length;
 }
 
+/** What OpenEXR says is wrong, of the file that this thread writes. It calls
+    with its own lock taken, so nothing may be asked of the file here. */
+static _Thread_local struct message { char text[256]; } said;
+
 static void
 keep_message(exr_const_context_t context, exr_result_t code,
              const char *message)
 {
-  void *user = NULL;
-
-  exr_get_user_data(context, &user);
-  struct writing *writing = user;
-  if (writing && writing->message == nil)
+  if (said.text[0] == 0)
     {
-      writing->message = [NSString stringWithFormat: @"%s", message];
+      snprintf(said.text, sizeof said.text, "%s", message);
     }
 }
 
@@ -185,6 +184,7 @@ write_pixels(exr_context_t file, image_t *image, struct writing *writing)
   NSAssert(!(aovs & AOV_SURFACES) || image->surfaces,
            @"the image has no surfaces");
   writing.count = exr_channels(writing.channels, aovs);
+  said.text[0] = 0;
   doors.user_data = &writing;
   doors.write_fn = write_bytes;
   doors.error_handler_fn = keep_message;
@@ -202,8 +202,8 @@ write_pixels(exr_context_t file, image_t *image, struct writing *writing)
   if (result != EXR_ERR_SUCCESS && error)
     {
       const char *text = exr_get_default_error_message(result);
-      *error = error_saying(STATUS_FILE, @"OpenEXR: %s", writing.message
-                            ? [writing.message UTF8String] : text);
+      *error = error_saying(STATUS_FILE, @"OpenEXR: %s", said.text[0]
+                            ? said.text : text);
     }
   return result == EXR_ERR_SUCCESS ? writing.bytes : nil;
 }

@@ -10,10 +10,10 @@
 #include "arithmetic.h"
 #include "kernel/k.h"
 #include "version.h"
+#include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 /** Until it is complete nothing has a name (outfile_t), so the program may
@@ -47,19 +47,19 @@ lack_memory(void)
 static void
 raised(NSException *exception)
 {
-  if ([[exception name] isEqual: NSMallocException])
+  if ([[exception name] isEqual: NSMallocException] || errno == ENOMEM)
     {
       lack_memory();
     }
   fprintf(stderr, "raytrace: %s\n", [[exception description] UTF8String]);
 }
 
-/** libobjc aborts when there is no memory for an object. */
+/** libobjc aborts when there is no memory for an object, and other libraries
+    use what they were not given: errno still tells why. */
 static void
-aborted(int number)
+broken(int number)
 {
-  if (mmap(NULL, 1 << 20, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)
-      == MAP_FAILED)
+  if (errno == ENOMEM)
     {
       lack_memory();
     }
@@ -75,7 +75,9 @@ handle_signals(void)
 
   signal(SIGPIPE, SIG_IGN);
   signal(SIGXFSZ, SIG_IGN);
-  signal(SIGABRT, aborted);
+  signal(SIGABRT, broken);
+  signal(SIGSEGV, broken);
+  signal(SIGBUS, broken);
   for (unsigned i = 0; i < sizeof ends / sizeof *ends; i++)
     {
       if (signal(ends[i], interrupted) == SIG_IGN)
