@@ -7,7 +7,7 @@
 #include "k_beam.inc.c"
 #include "../shade.h"
 
-void
+__attribute__((flatten)) void
 K_AMBIENT(const struct k_scene *scene, struct eye_ray *eye, unsigned n,
           const struct k_media *const *media, struct counters *counters)
 {

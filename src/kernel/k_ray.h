@@ -89,7 +89,8 @@ k_ray_start(struct k_ray *ray, struct k_vec o, struct k_vec d,
 static inline void
 k_assume_eye(const struct k_ray *ray)
 {
-  K_AMBIENT_MEANS(!ray->from && !ray->is_feeler && !ray->only && !ray->media);
+  K_AMBIENT_MEANS(!ray->from && !ray->is_feeler && ray->end == HUGE_VAL
+                  && !ray->only && !ray->media);
 }
 
 /** How a polygon sees the ray: for the first one that asks. */
@@ -108,6 +109,7 @@ k_ray_shear(struct k_ray *ray)
 static inline double
 k_ray_reach(const struct k_ray *ray)
 {
+  k_assume_eye(ray);
   return ray->is_feeler ? ray->end : ray->hit.t;
 }
 
@@ -115,6 +117,7 @@ k_ray_reach(const struct k_ray *ray)
 static inline int
 k_wants(const struct k_ray *ray, double t)
 {
+  k_assume_eye(ray);
   return t > 0 && t <= ray->hit.t && t < ray->end;
 }
 

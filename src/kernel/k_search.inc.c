@@ -224,6 +224,7 @@ k_tree_ask(const struct k_scene *scene, struct k_ray *ray, uint32_t at)
 static inline void
 k_ask_unbounded(const struct k_scene *scene, struct k_ray *ray)
 {
+  k_assume_eye(ray);
   if (ray->only)
     {
       return;                   // the faces of a mesh are in the tree
