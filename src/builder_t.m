@@ -4,9 +4,12 @@
 #import "diag_t.h"
 #import "light_t.h"
 #import "material_t.h"
+#import "names_t.h"
 #import "unknown_t.h"
 #include "attribute_check.h"
 #include "grow.h"
+
+#define FORETOLD_FROM 1024      // objects
 
 @implementation builder_t
 
@@ -124,8 +127,27 @@
     {
       if (store->records[numbered].kind >= KIND_SHAPES)
         {
-          store->records[numbered].number = [model keepPlace];
+          struct object_place place = [model keepPlace];
+          store->records[numbered].number = place.number;
+          store->records[numbered].index = place.index;
         }
+    }
+}
+
+/** Adds an object to the model; now and then says how many more there will be,
+    if the text goes on like this. */
+- (void) add: (object_t *)object from: (unsigned)names_end
+{
+  unsigned count;
+
+  if (![model addObject: object])
+    {
+      [model->names forgetFrom: names_end];
+    }
+  count = model->object_count;
+  if (count >= FORETOLD_FROM && (count & (count - 1)) == 0)
+    {
+      [model expect: count * (1.05 / [text partRead] - 1)];
     }
 }
 
@@ -141,6 +163,7 @@
     }
   [self numberUpTo: i];
 
+  unsigned names_end = [model->names end];
   object_t *object = [self make: i of: material];
 
   numbered = record->is_known ? i + 1 : i;
@@ -149,7 +172,7 @@
       store->is_sound = NO;
       return YES;               // it will not be any better later
     }
-  [model addObject: object];
+  [self add: object from: names_end];
   [object release];
   return YES;
 }
@@ -166,7 +189,8 @@
       store->is_sound = NO;
       return;
     }
-  [model put: object at: record->number];
+  struct object_place place = { record->number, record->index };
+  [model put: object at: place];
   [object release];
 }
 

@@ -7,15 +7,17 @@
 @interface compiler_t : NSObject
 {
 @public
-  struct k_scene *scene;        // where shapes add themselves
+  struct k_scene *scene;        // where shapes add themselves; its own
 @protected
   NSMapTable *materials, *media;        // numbers from 1, by object
   material_t *last_material;            // the one asked for last, and its
   unsigned last_number;                 // number, from 0
   NSMutableArray *mediumObjects;        // the media, by number - 1
+  NSMutableArray *materialObjects;      // the materials, by number
 }
 
-- (id) initWithScene: (struct k_scene *)aScene;
+/** With an empty scene. nil: no memory. */
+- (id) init;
 
 /** What the kernel has to know of a surface of the object. */
 - (struct k_surface) surfaceOf: (object_t *)object;
@@ -25,6 +27,10 @@
 
 /** What has that number. */
 - (object_t *) mediumNumbered: (unsigned)number;
+
+/** An object with the number, the material and the slack of one that is not
+    there any more (not autoreleased). */
+- (object_t *) newStandInFor: (const struct k_surface *)surface;
 
 @end
 

@@ -16,25 +16,33 @@
 
 @implementation compiler_t
 
-- (id) initWithScene: (struct k_scene *)aScene
+- (id) init
 {
   if ((self = [super init]))
     {
-      scene = aScene;
+      scene = k_scene_new();
       materials = NSCreateMapTable(NSNonOwnedPointerMapKeyCallBacks,
                                    NSIntegerMapValueCallBacks, 0);
       media = NSCreateMapTable(NSNonOwnedPointerMapKeyCallBacks,
                                NSIntegerMapValueCallBacks, 0);
       mediumObjects = [[NSMutableArray alloc] init];
+      materialObjects = [[NSMutableArray alloc] init];
+      if (scene == NULL)
+        {
+          [self release];
+          return nil;
+        }
     }
   return self;
 }
 
 - (void) dealloc
 {
+  k_scene_free(scene);
   NSFreeMapTable(materials);
   NSFreeMapTable(media);
   [mediumObjects release];
+  [materialObjects release];
   [super dealloc];
 }
 
@@ -48,6 +56,7 @@
                                  m->shininess, m->alpha, m->ior };
       number = k_add_material(scene, &copy) + 1;
       NSMapInsert(materials, m, (void *)number);
+      [materialObjects addObject: m];
     }
   return number - 1;
 }
@@ -70,6 +79,16 @@
 - (object_t *) mediumNumbered: (unsigned)number
 {
   return [mediumObjects objectAtIndex: number - 1];
+}
+
+- (object_t *) newStandInFor: (const struct k_surface *)surface
+{
+  object_t *object = [[object_t alloc] init];
+
+  object->material = [materialObjects objectAtIndex: surface->material];
+  object->number = surface->number;
+  object->slack = surface->slack;
+  return object;
 }
 
 - (struct k_surface) surfaceOf: (object_t *)object

@@ -11,7 +11,7 @@ struct k_scene;
 @interface fast_t : NSObject <engine_t>
 {
 @public
-  struct k_scene *scene;
+  struct k_scene *scene;        // the compiler's
 @protected
   model_t *model;
   compiler_t *compiler;
@@ -19,7 +19,8 @@ struct k_scene;
   unsigned user_count;
 }
 
-/** `instructions` names an instruction set, nil is the best there is;
+/** Takes what the model has passed on, so a model that passes on serves but one
+    engine. `instructions` names an instruction set, nil is the best there is;
     `threads` build the tree. nil with an error when memory is short or the
     machine does not have the instructions. */
 - (id) initWithModel: (model_t *)aModel instructions: (NSString *)instructions

@@ -14,7 +14,7 @@
 struct user
 {
   object_t *object;
-  NSArray *objects;     // of the model, by number - 1
+  model_t *model;
   compiler_t *compiler;
 };
 
@@ -25,6 +25,17 @@ media_of(const struct k_media *media, compiler_t *compiler)
   return media == NULL ? nil
     : [media_t enter: [compiler mediumNumbered: media->medium] : media->ior
                 over: media_of(media->below, compiler)];
+}
+
+/** The object of a surface, or somebody who stands for it (not autoreleased);
+    nil for none. */
+static object_t *
+object_of(const struct user *user, const struct k_surface *s)
+{
+  object_t *object = s ? [user->model objectNumbered: s->number] : nil;
+
+  return object || s == NULL ? [object retain]
+    : [user->compiler newStandInFor: s];
 }
 
 /** Asks it through a ray_t that is as far as the kernel's ray. */
@@ -38,15 +49,11 @@ ask_object(void *shape, const struct k_surface *s, struct k_ray *ray)
   vec_t *dir = [[vec_t alloc] initWithValue: ray->d];
   ray_t *twin = [(ray_t *)[ray_t alloc] init: pos : dir];
 
-  if (ray->from)
-    {
-      twin->from = [user->objects objectAtIndex: ray->from->number - 1];
-    }
-  if (ray->hit.surface)
-    {
-      twin->hit.object = [user->objects objectAtIndex:
-                                          ray->hit.surface->number - 1];
-    }
+  object_t *from = object_of(user, ray->from);
+  object_t *hit = object_of(user, ray->hit.surface);
+
+  twin->from = from;
+  twin->hit.object = hit;
   twin->hit.t = ray->hit.t;
   twin->starts_inside = ray->starts_inside;
   twin->slack = ray->slack;
@@ -69,6 +76,8 @@ ask_object(void *shape, const struct k_surface *s, struct k_ray *ray)
       ray->tied = ray->hit.surface;
     }
   [twin release];
+  [hit release];
+  [from release];
   [dir release];
   [pos release];
   [pool release];
@@ -83,7 +92,7 @@ ask_object(void *shape, const struct k_surface *s, struct k_ray *ray)
                           [(id <object_t>)object bounds] };
 
   user->object = object;
-  user->objects = model->objects;
+  user->model = model;
   user->compiler = compiler;
   k_add_user(scene, [compiler surfaceOf: object], shape);
 }
@@ -125,11 +134,13 @@ typedef BOOL (*compile_t)(id, SEL, compiler_t *);
       NSUInteger count = [surfaces count];
 
       model = [aModel retain];
-      scene = k_scene_new();
+      // What was passed on is in it already.
+      compiler = model->compiler ? model->compiler : [[compiler_t alloc] init];
+      model->compiler = nil;
       users = calloc(count + 1, sizeof *users);
-      if (scene && users)
+      if (compiler && users)
         {
-          compiler = [[compiler_t alloc] initWithScene: scene];
+          scene = compiler->scene;
           [self compile: surfaces];
           for (light_t *l in model->lights)
             {
@@ -164,7 +175,6 @@ typedef BOOL (*compile_t)(id, SEL, compiler_t *);
 
 - (void) dealloc
 {
-  k_scene_free(scene);
   free(users);
   [compiler release];
   [model release];

@@ -3,6 +3,7 @@
 #import "job_t.h"
 #import "brightest_t.h"
 #import "camera_t.h"
+#import "compiler_t.h"
 #import "diag_t.h"
 #import "errors.h"
 #import "exr_t.h"
@@ -63,6 +64,32 @@
   return outfile != nil;
 }
 
+- (BOOL) explains
+{
+  return options->settings.explain[0] != NO_CROP;
+}
+
+/** The channels of the file beside its colour: a knob that leaves an error
+    brings its own. */
+- (unsigned) aovs
+{
+  const struct settings *settings = &options->settings;
+  BOOL is_cut = settings->min_weight >= 0 || settings->max_error > 0;
+
+  return (unsigned)settings->aovs | (is_cut ? AOV_TRUNCATION : 0)
+    | (settings->noise > 0 ? AOV_SAMPLING | AOV_SAMPLES : 0);
+}
+
+/** Whether somebody beside the kernel asks all objects. */
+- (BOOL) wantsObjects
+{
+  const struct settings *settings = &options->settings;
+
+  return settings->engine != ENGINE_FAST || settings->check
+    || settings->format_scene || [self explains]
+    || ([self aovs] & AOV_TRUNCATION);  // brightest_t does
+}
+
 - (BOOL) load: (NSError **)error
 {
   const struct settings *settings = &options->settings;
@@ -76,6 +103,9 @@
   BOOL needs_hash = options->format == FORMAT_EXR;
   NSError *reason = nil;
   NSData *bytes = nil;
+
+  how.compiler = [self wantsObjects] ? nil
+    : [[[compiler_t alloc] init] autorelease];
 
   model = [[parser_t modelFromFile: options->scene
                        includePath: includes
@@ -104,7 +134,7 @@
 {
   const uint64_t *size = options->settings.size;
   camera_t *camera = model->camera;
-  unsigned long objects = [model->objects count];
+  unsigned long objects = model->object_count;
   unsigned long lights = [model->lights count];
 
   return [NSString stringWithFormat: @"'%@': %lu object%s, %lu light%s, "
@@ -113,11 +143,6 @@
                    lights, lights == 1 ? "" : "s",
                    size[0] ? (unsigned)size[0] : camera->columns,
                    size[0] ? (unsigned)size[1] : camera->rows];
-}
-
-- (BOOL) explains
-{
-  return options->settings.explain[0] != NO_CROP;
 }
 
 /** The window of --explain, and whether it is not too much. */
@@ -268,17 +293,6 @@
   };
 
   return how;
-}
-
-/** The channels of the file beside its colour: a knob that leaves an error
-    brings its own. */
-- (unsigned) aovs
-{
-  const struct settings *settings = &options->settings;
-  BOOL is_cut = settings->min_weight >= 0 || settings->max_error > 0;
-
-  return (unsigned)settings->aovs | (is_cut ? AOV_TRUNCATION : 0)
-    | (settings->noise > 0 ? AOV_SAMPLING | AOV_SAMPLES : 0);
 }
 
 - (struct shade_choice) choice

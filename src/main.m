@@ -9,6 +9,7 @@
 #import "quality.h"
 #include "arithmetic.h"
 #include "kernel/k.h"
+#include "large.h"
 #include "version.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -193,6 +194,7 @@ run(job_t *job, const struct settings *settings)
 int
 main(int argc, char **argv)
 {
+  large_give_back();
   keep_standard_files();
   handle_signals();
   NSSetUncaughtExceptionHandler(raised);

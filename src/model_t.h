@@ -8,7 +8,7 @@
 #include "eye_ray.h"
 #include "shade.h"
 
-@class camera_t, light_t, diag_t, names_t;
+@class camera_t, compiler_t, light_t, diag_t, names_t;
 
 /** How a polygon finds out whether a point is in it. */
 enum polygon_test
@@ -18,13 +18,22 @@ enum polygon_test
   POLYGON_ANGLES        // the notes' second method
 };
 
+/** Where an object will be. */
+struct object_place
+{
+  unsigned number, index;       // the index in `objects`
+};
+
 @interface model_t : NSObject
 {
 @public
   camera_t *camera;             // never nil once loaded
   NSMutableArray *lights;
   NSMutableDictionary *materials;       // by name
-  NSMutableArray *objects;      // as declared: numbers 1, 2, 3 …
+  NSMutableArray *objects;      // as declared: numbers 1, 2, 3 …, but for
+                                // those that were passed on
+  unsigned object_count;        // passed on or not
+  compiler_t *compiler;         // who gets those; nil: all are kept
   names_t *names;               // of the objects
   struct k_vec background;      // colour of a ray that hits nothing
   unsigned max_depth;           // deepest generation of rays; 5
@@ -41,17 +50,23 @@ enum polygon_test
   unsigned clear_count;         // model_t+media.m
   unsigned clear_at_lens;       // the first ones: those that matter to eye
   struct k_bounds lens;         // rays, which start in this box
+  Class last_class;             // see passOn:, and its method compile: if its
+  BOOL (*last_compile)(id, SEL, compiler_t *);  // instances may be passed on
 }
 
 - (void) addLight: (light_t *)light;
 
 /** Adds an object and gives it its number, and its slack unless its class
-    has. */
-- (void) addObject: (object_t *)object;
+    has. NO if it was passed on. */
+- (BOOL) addObject: (object_t *)object;
 
-/** Keeps the next number for an object that is put there later. */
-- (unsigned) keepPlace;
-- (void) put: (object_t *)object at: (unsigned)number;
+/** Keeps the next number, and a place in `objects`, for one that is put there
+    later. */
+- (struct object_place) keepPlace;
+- (void) put: (object_t *)object at: (struct object_place)place;
+
+/** The object of that number; nil if it was passed on. */
+- (object_t *) objectNumbered: (unsigned)number;
 
 /** To be called once when everything is added, before anything is traced:
     every class looks at its instances once more (solids are closed, planes
@@ -69,6 +84,18 @@ enum polygon_test
     ray's hit is then the closest one. For a shadow feeler only opaque objects
     count, and the first one found is enough. */
 - (void) find_closest: (ray_t *)ray;
+
+@end
+
+@interface model_t (Passing)
+
+/** With a compiler: an object that tells the kernel all there is to know of it,
+    and that nobody else will ask, is described at once and need not be kept. NO
+    if it has to be. */
+- (BOOL) passOn: (object_t *)object;
+
+/** About so many more objects will follow, as the last one. */
+- (void) expect: (double)count;
 
 @end
 

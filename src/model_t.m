@@ -1,5 +1,6 @@
 #import "model_t.h"
 #import "camera_t.h"
+#import "compiler_t.h"
 #import "light_t.h"
 #import "material_t.h"
 #include "grow.h"
@@ -40,6 +41,7 @@ struct surface
   free(table);
   free(clear);
   [surfaces release];
+  [compiler release];
   NSFreeMapTable(replacements);
   [names release];
   [objects release];
@@ -67,22 +69,57 @@ number_object(object_t *object, unsigned number)
     }
 }
 
-- (void) addObject: (object_t *)object
+- (BOOL) addObject: (object_t *)object
 {
+  number_object(object, ++object_count);
+  if ([self passOn: object])
+    {
+      return NO;
+    }
   [objects addObject: object];
-  number_object(object, [objects count]);
+  return YES;
 }
 
-- (unsigned) keepPlace
+- (struct object_place) keepPlace
 {
+  struct object_place place = { ++object_count, [objects count] };
+
   [objects addObject: [NSNull null]];
-  return [objects count];
+  return place;
 }
 
-- (void) put: (object_t *)object at: (unsigned)number
+- (void) put: (object_t *)object at: (struct object_place)place
 {
-  [objects replaceObjectAtIndex: number - 1 withObject: object];
-  number_object(object, number);
+  [objects replaceObjectAtIndex: place.index withObject: object];
+  number_object(object, place.number);
+}
+
+- (object_t *) objectNumbered: (unsigned)number
+{
+  NSUInteger first = 0, end = [objects count];  // it is in first … end - 1
+
+  if (end == object_count)
+    {
+      return [objects objectAtIndex: number - 1];
+    }
+  while (first < end)
+    {
+      NSUInteger middle = first + (end - first) / 2;
+      object_t *object = [objects objectAtIndex: middle];
+      if (object->number == number)
+        {
+          return object;
+        }
+      if (object->number < number)
+        {
+          first = middle + 1;
+        }
+      else
+        {
+          end = middle;
+        }
+    }
+  return nil;
 }
 
 // Completion

@@ -23,6 +23,16 @@
   return at;
 }
 
+- (unsigned) end
+{
+  return length;
+}
+
+- (void) forgetFrom: (unsigned)at
+{
+  length = at;
+}
+
 - (NSString *) nameAt: (unsigned)at
 {
   return [NSString stringWithUTF8String: text + at];

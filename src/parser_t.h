@@ -4,13 +4,14 @@
 #import <Foundation/Foundation.h>
 #import "model_t.h"
 
-@class diag_t;
+@class compiler_t, diag_t;
 
 /** How a model is to be read. */
 struct parse_options
 {
   enum polygon_test polygon_test;
   unsigned max_depth;
+  compiler_t *compiler; // gets what the model need not keep; nil: it keeps all
 };
 
 @interface parser_t : NSObject

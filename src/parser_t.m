@@ -1,5 +1,6 @@
 #import "parser_t.h"
 #import "builder_t.h"
+#import "compiler_t.h"
 #import "diag_t.h"
 #import "format_t.h"
 #import "mdl_t.h"
@@ -18,6 +19,7 @@
 
   model->polygon_test = options.polygon_test;
   model->max_depth = options.max_depth;
+  model->compiler = [options.compiler retain];
   builder = [[builder_t alloc] init: store text: text diag: diag
                               model: model];
   store->builder = keeps_all ? nil : builder;

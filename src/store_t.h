@@ -57,6 +57,7 @@ struct record
   unsigned given_count;
   unsigned number;      // of the object, or of the material among those made;
                         // 0: not known yet
+  unsigned index;       // of the object, see model_t's object_place
   BOOL is_faulty;
   BOOL is_known;        // by its name
   BOOL is_used;         // this material, by an object that is made

@@ -38,6 +38,9 @@
 /** The file that is being read. */
 - (source_t *) source;
 
+/** What part of it has been read: more than 0, at most 1. */
+- (double) partRead;
+
 /** How deep its include is nested; 0 for the first file. */
 - (unsigned) depth;
 

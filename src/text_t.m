@@ -98,6 +98,11 @@ struct open_file
   return [sources objectAtIndex: open_files[open_count - 1].source];
 }
 
+- (double) partRead
+{
+  return (cursor.at - cursor.text + 1) / ([self source]->length + 1.0);
+}
+
 - (unsigned) depth
 {
   return open_count - 1;

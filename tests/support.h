@@ -42,7 +42,8 @@
 static inline struct parse_options
 support_options(void)
 {
-  struct parse_options options = { POLYGON_CROSSINGS, 5 };
+  struct parse_options options = { .polygon_test = POLYGON_CROSSINGS,
+                                   .max_depth = 5 };
   return options;
 }
 

@@ -38,7 +38,7 @@ split(const struct builder *b, const struct k_range *r, uint32_t fork,
     {
       k_split(r, &cut, left, right);
     }
-  k_fork_set(&b->forks[fork], r->box, left->count);
+  b->forks[fork].left = left->count;
 }
 
 /** Makes the fork of a range of two, which every other fork is. */
@@ -51,7 +51,7 @@ fork_two(const struct builder *b, const struct k_range *r, uint32_t fork,
 
   items[0] = r->items[0];
   items[1] = r->items[1];
-  k_fork_set(f, r->box, 1);
+  f->left = 1;
   k_roots_of_two(roots, f, area, k_half_area(k_box_of(&items[0]))
                  + k_half_area(k_box_of(&items[1])));
 }
@@ -127,22 +127,26 @@ fork_tasks(void *builder, unsigned thread)
     }
 }
 
-/** Goes through the forks at the top once more: what all costs. */
-static void
+/** Goes through the forks at the top once more: what all costs. The box of the
+    list. */
+static struct k_box
 join_top(struct builder *b, uint32_t fork, uint32_t count,
          struct k_roots *roots)
 {
   if (count <= K_TASK)
     {
-      *roots = b->tasks[b->next_task++].roots;
-      return;
+      const struct task *t = &b->tasks[b->next_task++];
+      *roots = t->roots;
+      return t->range.box;
     }
   struct k_roots left, right;
   struct k_fork *f = &b->forks[fork];
+  struct k_box on_left = join_top(b, fork + 1, f->left, &left);
+  struct k_box box = k_join(on_left, join_top(b, fork + f->left,
+                                              count - f->left, &right));
 
-  join_top(b, fork + 1, f->left, &left);
-  join_top(b, fork + f->left, count - f->left, &right);
-  k_roots_join(roots, f, count, k_fork_area(f), &left, &right);
+  k_roots_join(roots, f, count, k_half_area(box), &left, &right);
+  return box;
 }
 
 static struct k_range

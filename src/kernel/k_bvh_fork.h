@@ -7,41 +7,18 @@
 #define K_BVH_FORK_H
 
 #include "k_bvh_cut.h"
-#include <string.h>
 
 /** A list of at least two, cut in two. All forks below the left part follow
     their fork, then those below the right part: a list of n has n - 1, so the
-    fork of the right part stands `left` farther on. 32 bytes. */
+    fork of the right part stands `left` farther on. Boxes are not kept: nodes
+    are made from below, of those of the shapes. */
 struct k_fork
 {
-  float least[3];
   uint32_t left;                // how many are on the left
-  float most[3];
   uint32_t choice;              // see k_bvh_fork.c
 };
 
-_Static_assert(sizeof(struct k_fork) == 32, "two vectors of four floats");
-
-static inline void
-k_fork_set(struct k_fork *fork, struct k_box box, uint32_t left)
-{
-  float least[4], most[4];
-
-  f4_store(least, box.least);
-  f4_store(most, box.most);
-  memcpy(fork->least, least, sizeof fork->least);
-  memcpy(fork->most, most, sizeof fork->most);
-  fork->left = left;
-}
-
-static inline float
-k_fork_area(const struct k_fork *fork)
-{
-  const float *a = fork->least, *b = fork->most;
-  float x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
-
-  return x * y + y * z + z * x;
-}
+_Static_assert(sizeof(struct k_fork) == 8, "there is one for each shape");
 
 /** What a list costs at least as 1 to 8 children of a node above it, by the
     surfaces, and how many nodes are below these; item 0 is as 1 child. */

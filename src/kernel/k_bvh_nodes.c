@@ -41,12 +41,13 @@ right_of(const struct list *l, const struct k_fork *fork)
 /** Gives a child its box; `cost` is that of asking it. */
 static void
 set_box(struct making *m, struct k_node *node, unsigned slot,
-        const float least[3], const float most[3], uint32_t cost)
+        struct k_box box, uint32_t cost)
 {
-  float x = most[0] - least[0], y = most[1] - least[1],
-    z = most[2] - least[2];
+  float least[4], most[4];
 
-  m->cost += (double)(x * y + y * z + z * x) * cost;
+  f4_store(least, box.least);
+  f4_store(most, box.most);
+  m->cost += (double)k_half_area(box) * cost;
   for (int axis = 0; axis < 3; axis++)
     {
       node->bounds[axis][slot] = least[axis];
@@ -54,45 +55,43 @@ set_box(struct making *m, struct k_node *node, unsigned slot,
     }
 }
 
-/** Lists the shapes of a leaf; what the leaf is as a child. */
+/** Lists the shapes of a leaf; what the leaf is as a child, and its box. */
 static uint32_t
-leaf_of(const struct builder *b, const struct list *l)
+leaf_of(const struct builder *b, const struct list *l, struct k_box *box)
 {
+  *box = k_no_box();
   for (uint32_t i = l->first; i < l->first + l->count; i++)
     {
       b->tree->refs[i] = b->items[i].ref;
+      *box = k_join(*box, k_box_of(&b->items[i]));
     }
   return K_LEAF | l->first << 3 | (l->count - 1);
 }
 
 static uint32_t node_of(struct making *m, const struct list *l,
-                        unsigned level);
+                        unsigned level, struct k_box *box);
 
-/** Makes a list one child of a node at that level. */
-static void
+/** Makes a list one child of a node at that level; its box. */
+static struct k_box
 make_child(struct making *m, const struct list *l, struct k_node *node,
            unsigned slot, unsigned level)
 {
   const struct builder *b = m->b;
+  int is_leaf = l->count == 1 || k_fork_is_leaf(&b->forks[l->fork]);
+  struct k_box box;
 
-  if (l->count == 1)
-    {
-      const struct k_item *item = &b->items[l->first];
-      set_box(m, node, slot, item->least, item->most, 1);
-      node->child[slot] = leaf_of(b, l);
-      return;
-    }
-  const struct k_fork *fork = &b->forks[l->fork];
-  int is_leaf = k_fork_is_leaf(fork);
-  set_box(m, node, slot, fork->least, fork->most, is_leaf ? l->count : 1);
-  node->child[slot] = is_leaf ? leaf_of(b, l) : node_of(m, l, level + 1);
+  node->child[slot] = is_leaf ? leaf_of(b, l, &box)
+    : node_of(m, l, level + 1, &box);
+  set_box(m, node, slot, box, is_leaf ? l->count : 1);
+  return box;
 }
 
 /** Makes a list up to `most` children of a node, from a slot on; returns the
-    slot behind them. */
+    slot behind them. Their boxes are joined to that of the node. */
 static unsigned
 make_children(struct making *m, const struct list *l, unsigned most,
-              struct k_node *node, unsigned slot, unsigned level)
+              struct k_node *node, unsigned slot, unsigned level,
+              struct k_box *box)
 {
   struct builder *b = m->b;
   const struct k_fork *fork = &b->forks[l->fork];
@@ -105,16 +104,17 @@ make_children(struct making *m, const struct list *l, unsigned most,
       t->node = node;
       t->slot = slot;
       t->level = level;
+      *box = k_join(*box, t->range.box);
       return slot + t->most;
     }
   if (on_left == 0)
     {
-      make_child(m, l, node, slot, level);
+      *box = k_join(*box, make_child(m, l, node, slot, level));
       return slot + 1;
     }
   struct list left = left_of(l, fork), right = right_of(l, fork);
-  slot = make_children(m, &left, on_left, node, slot, level);
-  return make_children(m, &right, most - on_left, node, slot, level);
+  slot = make_children(m, &left, on_left, node, slot, level, box);
+  return make_children(m, &right, most - on_left, node, slot, level, box);
 }
 
 /** A node without children: boxes that nothing meets. */
@@ -136,18 +136,20 @@ new_node(struct making *m, unsigned level)
   return node;
 }
 
-/** Makes a list a node; its number. */
+/** Makes a list a node; its number, and its box. */
 static uint32_t
-node_of(struct making *m, const struct list *l, unsigned level)
+node_of(struct making *m, const struct list *l, unsigned level,
+        struct k_box *box)
 {
   uint32_t number = m->next_node;
   struct k_node *node = new_node(m, level);
   const struct k_fork *fork = &m->b->forks[l->fork];
   unsigned on_left = k_fork_left_of_node(fork);
   struct list left = left_of(l, fork), right = right_of(l, fork);
-  unsigned slot = make_children(m, &left, on_left, node, 0, level);
 
-  make_children(m, &right, K_WIDTH - on_left, node, slot, level);
+  *box = k_no_box();
+  unsigned slot = make_children(m, &left, on_left, node, 0, level, box);
+  make_children(m, &right, K_WIDTH - on_left, node, slot, level, box);
   return number;
 }
 
@@ -164,7 +166,9 @@ make_tasks(void *builder, unsigned thread)
       struct task *t = &b->tasks[i];
       struct making m = { .b = b, .next_node = t->first_node };
       struct list l = { t->fork, t->range.first, t->range.count };
-      make_children(&m, &l, t->most, t->node, t->slot, t->level);
+      struct k_box box = k_no_box();    // nobody asks
+      make_children(&m, &l, t->most, t->node, t->slot, t->level, &box);
+      large_drop(&b->items[l.first], l.count * sizeof *b->items);
       t->deepest = m.deepest;
       t->cost = m.cost;
     }
@@ -176,10 +180,11 @@ make_top(struct making *m)
 {
   const struct builder *b = m->b;
   struct list all = { 0, 0, b->count };
+  struct k_box box;
 
   if (b->count > 1 && !k_fork_is_leaf(b->forks))
     {
-      node_of(m, &all, 1);
+      node_of(m, &all, 1, &box);
       return;
     }
   make_child(m, &all, new_node(m, 1), 0, 1);

@@ -24,20 +24,6 @@ finish_hit(struct k_ray *ray)
   hit->finish = K_FINISHED;
 }
 
-/** -[ray_t countHit] */
-static inline void
-count_hit(const struct k_ray *ray)
-{
-  if (ray->tied == ray->hit.surface)
-    {
-      ray->counters->ties++;
-    }
-  if (ray->hit.is_compensated)
-    {
-      ray->counters->compensated++;
-    }
-}
-
 #define FEW_FACES 8             // shapes of a medium asked one after the other
 
 /** Asks only what has the medium: whether the ray comes out of it again. */

@@ -84,12 +84,15 @@ k_sphere_ask(const struct k_sphere *sphere, struct k_ray *ray)
 }
 
 static inline void
-k_plane_ask(const struct k_flat *flat, struct k_ray *ray)
+k_plane_ask(const struct k_scene *scene, const struct k_flat *flat,
+            struct k_ray *ray)
 {
   double t;
 
-  if (ray->from != &flat->s && k_plane_hit(&flat->plane, ray->o, ray->d, &t)
-      && k_wants(ray, t))
+  k_assume_eye(ray);
+  if ((!ray->is_feeler || k_is_opaque(scene, &flat->s))
+      && ray->from != &flat->s
+      && k_plane_hit(&flat->plane, ray->o, ray->d, &t) && k_wants(ray, t))
     {
       k_meets_plane(ray, &flat->s, t, &flat->plane);
     }
@@ -206,6 +209,7 @@ k_polygon_ask(const struct k_polygon *polygon, struct k_ray *ray)
 {
   double t;
 
+  K_AMBIENT_MEANS(!polygon->s.medium);
   if (polygon->s.medium)
     {
       k_face_ask(polygon, ray);
@@ -287,6 +291,8 @@ k_ref_ask(const struct k_scene *scene, struct k_ref ref, struct k_ray *ray)
 {
   const struct k_user_shape *u;
 
+  k_assume_eye(ray);
+  K_AMBIENT_MEANS(ref.kind != K_CONVEX);
   switch ((enum k_kind)ref.kind)
     {
     case K_SPHERE:
@@ -317,10 +323,7 @@ k_ref_ask(const struct k_scene *scene, struct k_ref ref, struct k_ray *ray)
         }
       break;
     case K_PLANE:
-      if (!ray->is_feeler || k_is_opaque(scene, &scene->planes[ref.index].s))
-        {
-          k_plane_ask(&scene->planes[ref.index], ray);
-        }
+      k_plane_ask(scene, &scene->planes[ref.index], ray);
       break;
     }
 }

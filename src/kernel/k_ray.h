@@ -69,6 +69,30 @@ k_ray_start(struct k_ray *ray, struct k_vec o, struct k_vec d,
   ray->counters = counters;
 }
 
+/** What holds in a scene without lights, mirrors and glass: the search that is
+    compiled for these (k_ambient.inc.c) is told, and leaves out the rest. */
+#ifdef K_ONLY_AMBIENT
+#define K_AMBIENT_MEANS(holds) \
+  do \
+    { \
+      if (!(holds)) \
+        { \
+          __builtin_unreachable(); \
+        } \
+    } \
+  while (0)
+#else
+#define K_AMBIENT_MEANS(holds) ((void)0)
+#endif
+
+/** There are no rays but the eye's, and nothing that they could be in. */
+static inline void
+k_assume_eye(const struct k_ray *ray)
+{
+  K_AMBIENT_MEANS(!ray->from && !ray->is_feeler && ray->end == HUGE_VAL
+                  && !ray->only && !ray->media);
+}
+
 /** How a polygon sees the ray: for the first one that asks. */
 static inline const struct k_shear *
 k_ray_shear(struct k_ray *ray)
@@ -85,6 +109,7 @@ k_ray_shear(struct k_ray *ray)
 static inline double
 k_ray_reach(const struct k_ray *ray)
 {
+  k_assume_eye(ray);
   return ray->is_feeler ? ray->end : ray->hit.t;
 }
 
@@ -92,6 +117,7 @@ k_ray_reach(const struct k_ray *ray)
 static inline int
 k_wants(const struct k_ray *ray, double t)
 {
+  k_assume_eye(ray);
   return t > 0 && t <= ray->hit.t && t < ray->end;
 }
 
@@ -129,6 +155,20 @@ k_is_nearer(struct k_ray *ray, const struct k_surface *s, double t)
       return first != other;
     }
   return 0;
+}
+
+/** -[ray_t countHit] */
+static inline void
+k_count_hit(const struct k_ray *ray)
+{
+  if (ray->tied == ray->hit.surface)
+    {
+      ray->counters->ties++;
+    }
+  if (ray->hit.is_compensated)
+    {
+      ray->counters->compensated++;
+    }
 }
 
 /** -[ray_t exits:…] with everything known. */

@@ -124,18 +124,25 @@ struct k_scene
 
 #define K_MANY EYE_RAYS         // rays that are traced together, at most
 
+/** The colours of up to K_MANY eye rays, and what they start in. */
+typedef void k_trace_eye(const struct k_scene *scene, struct eye_ray *rays,
+                         unsigned n, const struct k_media *const *media,
+                         struct counters *counters);
+
+/** Those where k_is_plain. */
+k_trace_eye k_ambient_base, k_ambient_avx2;
+
 /** What an instruction set provides: the search for one ray and for up to
     K_MANY, feelers that go to one light or none of them; the colours of up to
-    K_MANY eye rays, and what one of them hits. */
+    K_MANY eye rays, in any scene and in one that is plain, and what one of them
+    hits. */
 struct k_isa
 {
   const char *name;
   void (*closest)(const struct k_scene *scene, struct k_ray *ray);
   void (*find)(const struct k_scene *scene, struct k_ray *rays, unsigned n,
                int are_feelers);
-  void (*trace)(const struct k_scene *scene, struct eye_ray *rays, unsigned n,
-                const struct k_media *const *media,
-                struct counters *counters);
+  k_trace_eye *trace, *ambient;
   struct k_surface_hit (*first_hit)(const struct k_scene *scene,
                                     struct k_vec o, struct k_vec d,
                                     const struct k_media *media);

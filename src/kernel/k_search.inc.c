@@ -88,6 +88,7 @@ k_leaf_ask(const struct k_scene *scene, struct k_ray *ray, uint32_t leaf)
 {
   const struct k_ref *ref = &scene->tree.refs[(leaf & ~K_LEAF) >> 3];
 
+  k_assume_eye(ray);
   for (unsigned n = (leaf & 7) + 1; n; n--, ref++)
     {
       if (ray->only && k_ref_medium(scene, *ref) != ray->only)
@@ -172,6 +173,7 @@ k_tree_ask(const struct k_scene *scene, struct k_ray *ray, uint32_t at)
   const struct k_tree *tree = &scene->tree;
   struct k_float_ray f;
   struct entry stack[STACK], *top = stack;
+  k_assume_eye(ray);
   float t_most = k_reach_float(scene, ray);
   struct k_vec o = k_scale(k_sub(ray->o, tree->center), tree->scale);
 
@@ -222,15 +224,15 @@ k_tree_ask(const struct k_scene *scene, struct k_ray *ray, uint32_t at)
 static inline void
 k_ask_unbounded(const struct k_scene *scene, struct k_ray *ray)
 {
+  k_assume_eye(ray);
   if (ray->only)
     {
       return;                   // the faces of a mesh are in the tree
     }
   for (uint32_t i = 0; i < scene->plane_count; i++)
     {
-      struct k_ref plane = { K_PLANE, i };
       ray->counters->tests++;
-      k_ref_ask(scene, plane, ray);
+      k_plane_ask(scene, &scene->planes[i], ray);
     }
   for (uint32_t i = 0; i < scene->unbounded_count; i++)
     {

@@ -6,10 +6,13 @@ void
 k_trace(const struct k_scene *scene, struct eye_ray *rays, unsigned n,
         const struct k_media *const *media, struct counters *counters)
 {
+  k_trace_eye *trace = k_is_plain(scene) ? scene->isa->ambient
+    : scene->isa->trace;
+
   for (unsigned i = 0; i < n; i += K_MANY)
     {
-      scene->isa->trace(scene, &rays[i], n - i < K_MANY ? n - i : K_MANY,
-                        media ? &media[i] : NULL, counters);
+      trace(scene, &rays[i], n - i < K_MANY ? n - i : K_MANY,
+            media ? &media[i] : NULL, counters);
     }
 }
 

@@ -305,27 +305,6 @@ point_color(const struct point *p)
   return k_add(color, p->highlights);
 }
 
-/** The colours in a scene without lights, mirrors and glass: no more than
-    ambient. */
-static void
-trace_ambient(const struct k_scene *scene, struct k_ray *rays, unsigned n,
-              struct k_vec *colors)
-{
-  k_find_many(scene, rays, n, 0);
-  for (unsigned i = 0; i < n; i++)
-    {
-      const struct k_hit *hit = &rays[i].hit;
-      if (hit->surface)
-        {
-          count_hit(&rays[i]);
-        }
-      colors[i] = hit->surface
-        ? shade_ambient(scene->materials[hit->surface->material].ambient,
-                        rays[i].dis + hit->t)
-        : scene->settings.background;
-    }
-}
-
 /** -[ray_t trace:], step by step, of n rays at once; with cuts, one for each
     of them, when branches are cut. Compiled for both. */
 static inline __attribute__((always_inline)) void
@@ -346,7 +325,7 @@ trace_either(const struct k_scene *scene, struct k_ray *rays, unsigned n,
           colors[i] = scene->settings.background;
           continue;
         }
-      count_hit(ray);
+      k_count_hit(ray);
       finish_hit(ray);
       if (ray->media && any_is_left(scene, ray))
         {
@@ -447,11 +426,7 @@ trace_eye(const struct k_scene *scene, struct eye_ray *eye, unsigned n,
       k_ray_start(&rays[i], eye[i].o, eye[i].d, media ? media[i] : NULL,
                   counters);
     }
-  if (k_is_plain(scene))
-    {
-      trace_ambient(scene, rays, n, colors);
-    }
-  else if (scene->settings.cut.is_on)
+  if (scene->settings.cut.is_on)
     {
       trace_eye_cut(scene, rays, eye, n, colors);
     }
@@ -486,5 +461,5 @@ first_hit(const struct k_scene *scene, struct k_vec o, struct k_vec d,
 }
 
 const struct k_isa K_ISA = {
-  K_ISA_NAME, K_CLOSEST, k_find_many, trace_eye, first_hit
+  K_ISA_NAME, K_CLOSEST, k_find_many, trace_eye, K_AMBIENT, first_hit
 };

@@ -21,6 +21,7 @@
 #define K_ISA kernel_plain
 #define K_ISA_NAME "plain C"
 #define K_CLOSEST closest_plain
+#define K_AMBIENT NULL
 #include "kernel/k_trace.inc.c"
 
 /** The instruction sets of this machine and plain C; how many. */

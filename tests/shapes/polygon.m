@@ -396,7 +396,8 @@ faults(void)
                            " vertex 0 1 0")) != nil, "1e-3 off its plane");
   PASS(support_faults(WITH("vertex 0 0 0 vertex 1 0 0 vertex 1 1 .00001"
                            " vertex 0 1 0")) == nil, "1e-5 off is taken");
-  struct parse_options edges = { POLYGON_EDGES, 5 };
+  struct parse_options edges = { .polygon_test = POLYGON_EDGES,
+                                 .max_depth = 5 };
   NSString *report = nil;
   model_t *model = support_parse
     (@SUPPORT_CAMERA "material m { }\npolygon p { material m vertex 0 0 0"

@@ -137,7 +137,7 @@ trace(model_t *model)
 static model_t *
 read_model(NSString *path, NSString **canonical)
 {
-  struct parse_options how = { POLYGON_CROSSINGS, 5 };
+  struct parse_options how = { .max_depth = 5 };
   diag_t *diag = [[[diag_t alloc] init] autorelease];
   NSError *error = nil;
   NSData *text = nil;
