@@ -112,6 +112,7 @@ compare(unsigned seed)
   [pool release];
 }
 
+#ifndef __SANITIZE_ADDRESS__
 /** The most memory that the tool has for so many spheres, in bytes. */
 static double
 memory(unsigned count)
@@ -146,6 +147,8 @@ memory(unsigned count)
   unlink(picture);
   return 1024.0 * use.ru_maxrss;
 }
+
+#endif
 
 int
 main(void)
