@@ -166,23 +166,16 @@ k_any_first(const struct k_node *node, unsigned hits, struct entry **top)
   return node->child[i];
 }
 
-/** Asks what is below a node of the tree. */
+/** Asks what is below a node of the tree, with the ray as floats. */
 static void
-k_tree_ask(const struct k_scene *scene, struct k_ray *ray, uint32_t at)
+k_tree_walk(const struct k_scene *scene, struct k_ray *ray,
+            const struct k_float_ray *f, uint32_t at)
 {
   const struct k_tree *tree = &scene->tree;
-  struct k_float_ray f;
   struct entry stack[STACK], *top = stack;
   k_assume_eye(ray);
   float t_most = k_reach_float(scene, ray);
-  struct k_vec o = k_scale(k_sub(ray->o, tree->center), tree->scale);
 
-  if (!(k_norm_max(o) < FAR))
-    {
-      k_ask_all(scene, ray);
-      return;
-    }
-  k_float_ray_start(&f, o, ray->d);
   for (;;)
     {
       unsigned hits = 0;
@@ -200,7 +193,7 @@ k_tree_ask(const struct k_scene *scene, struct k_ray *ray, uint32_t at)
           const struct k_node *node = &tree->nodes[at];
           f8 t_in;
           ray->counters->nodes++;
-          hits = k_node_test(node, &f, t_most, &t_in);
+          hits = k_node_test(node, f, t_most, &t_in);
           if (hits)
             {
               at = ray->is_feeler ? k_any_first(node, hits, &top)
@@ -218,6 +211,24 @@ k_tree_ask(const struct k_scene *scene, struct k_ray *ray, uint32_t at)
           hits = top->t <= t_most;
         }
     }
+}
+
+/** Asks what is in the tree. */
+static void
+k_tree_ask(const struct k_scene *scene, struct k_ray *ray)
+{
+  const struct k_tree *tree = &scene->tree;
+  struct k_float_ray f;
+  struct k_vec o = k_scale(k_sub(ray->o, tree->center), tree->scale);
+
+  k_assume_eye(ray);
+  if (!(k_norm_max(o) < FAR))
+    {
+      k_ask_all(scene, ray);
+      return;
+    }
+  k_float_ray_start(&f, o, ray->d);
+  k_tree_walk(scene, ray, &f, 0);
 }
 
 /** Asks what is not in the tree. */
@@ -248,6 +259,6 @@ K_CLOSEST(const struct k_scene *scene, struct k_ray *ray)
   k_ask_unbounded(scene, ray);
   if (scene->tree.nodes && !(ray->is_feeler && ray->hit.surface))
     {
-      k_tree_ask(scene, ray, 0);
+      k_tree_ask(scene, ray);
     }
 }
