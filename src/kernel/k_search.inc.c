@@ -83,13 +83,13 @@ struct entry
   float t;
 };
 
-static inline void
-k_leaf_ask(const struct k_scene *scene, struct k_ray *ray, uint32_t leaf)
+/** Asks n shapes of the tree, those of one medium if the ray asks for no
+    others. */
+static __attribute__((noinline)) void
+k_ask_some(const struct k_scene *scene, struct k_ray *ray,
+           const struct k_ref *ref, uint32_t n)
 {
-  const struct k_ref *ref = &scene->tree.refs[(leaf & ~K_LEAF) >> 3];
-
-  k_assume_eye(ray);
-  for (unsigned n = (leaf & 7) + 1; n; n--, ref++)
+  for (; n; n--, ref++)
     {
       if (ray->only && k_ref_medium(scene, *ref) != ray->only)
         {
@@ -100,17 +100,22 @@ k_leaf_ask(const struct k_scene *scene, struct k_ray *ray, uint32_t leaf)
     }
 }
 
-static void
-k_ask_all(const struct k_scene *scene, struct k_ray *ray)
+static inline void
+k_leaf_ask(const struct k_scene *scene, struct k_ray *ray, uint32_t leaf)
 {
-  for (uint32_t i = 0; i < scene->tree.ref_count; i++)
+  const struct k_ref *ref = &scene->tree.refs[(leaf & ~K_LEAF) >> 3];
+  unsigned n = (leaf & 7) + 1;
+
+  k_assume_eye(ray);
+  if (ray->only)
     {
-      if (ray->only && k_ref_medium(scene, scene->tree.refs[i]) != ray->only)
-        {
-          continue;
-        }
-      ray->counters->tests++;
-      k_ref_ask(scene, scene->tree.refs[i], ray);
+      k_ask_some(scene, ray, ref, n);
+      return;
+    }
+  ray->counters->tests += n;
+  for (; n; n--, ref++)
+    {
+      k_ref_ask(scene, *ref, ray);
     }
 }
 
@@ -224,7 +229,7 @@ k_tree_ask(const struct k_scene *scene, struct k_ray *ray)
   k_assume_eye(ray);
   if (!(k_norm_max(o) < FAR))
     {
-      k_ask_all(scene, ray);
+      k_ask_some(scene, ray, tree->refs, tree->ref_count);
       return;
     }
   k_float_ray_start(&f, o, ray->d);
