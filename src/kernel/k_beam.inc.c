@@ -45,7 +45,7 @@ struct k_beam
   struct k_ray *rays;
   unsigned n;
   int groups;                   // of eight rays, that n rays take
-  int is_from_one;              // all rays start at one point
+  int is_from_one;              // all rays start at one point, as floats
   f8 o[3][GROUPS], d[3][GROUPS];
   union k_lanes inverse[3];
   union k_lanes near_o[3], far_o[3];    // as in k_float_ray
@@ -92,31 +92,33 @@ k_beam_start(struct k_beam *beam, const struct k_scene *scene,
   const struct k_tree *tree = &scene->tree;
   float o[3][K_MANY], d[3][K_MANY];
   f8 farthest = f8_all(0);
-  int is_from_one = 1;
 
   beam->rays = rays;
   beam->n = n;
   beam->groups = (n + 7) / 8;
-  for (unsigned i = 0; i < 8u * beam->groups; i++)
+  for (unsigned i = 0; i < 8u * beam->groups; i += 4)
     {
-      const struct k_ray *ray = &rays[i < n ? i : 0];
-      is_from_one &= ray->o.x == rays->o.x && ray->o.y == rays->o.y
-        && ray->o.z == rays->o.z;
-      o[0][i] = (ray->o.x - tree->center.x) * tree->scale;
-      o[1][i] = (ray->o.y - tree->center.y) * tree->scale;
-      o[2][i] = (ray->o.z - tree->center.z) * tree->scale;
-      d[0][i] = ray->d.x;
-      d[1][i] = ray->d.y;
-      d[2][i] = ray->d.z;
-      beam->t_most.of[i] = i < n ? k_reach_float(scene, ray) : -1;
+      f4 from[4], to[4];
+      for (unsigned j = 0; j < 4; j++)
+        {
+          const struct k_ray *ray = &rays[i + j < n ? i + j : 0];
+          from[j] = k_float_o(tree, ray);
+          to[j] = k_float_d(ray);
+          beam->t_most.of[i + j] = i + j < n ? k_reach_float(scene, ray) : -1;
+        }
+      f4_turn_four(from, &o[0][i], &o[1][i], &o[2][i]);
+      f4_turn_four(to, &d[0][i], &d[1][i], &d[2][i]);
     }
-  beam->is_from_one = is_from_one;
+  beam->is_from_one = 1;
   for EACH_GROUP (g, beam)
     {
       f8 far = f8_all(1);
       for (int axis = 0; axis < 3; axis++)
         {
+          f8 first = f8_all(o[axis][0]);
           beam->o[axis][g] = f8_load(o[axis] + 8 * g);
+          beam->is_from_one &= (f8_le(beam->o[axis][g], first)
+                                & f8_le(first, beam->o[axis][g])) == 0xff;
           beam->d[axis][g] = f8_load(d[axis] + 8 * g);
           far = f8_max(f8_abs(beam->o[axis][g]), far);
         }
@@ -338,13 +340,8 @@ k_lane(struct k_float_ray *f, const struct k_beam *beam, unsigned i)
 {
   for (int axis = 0; axis < 3; axis++)
     {
-      float inverse = beam->inverse[axis].of[i];
-      int falls = inverse < 0;
-      f->near_side[axis] = falls ? axis + 3 : axis;
-      f->far_side[axis] = falls ? axis : axis + 3;
-      f->inverse[axis] = f8_all(inverse);
-      f->near_o[axis] = f8_all(beam->near_o[axis].of[i]);
-      f->far_o[axis] = f8_all(beam->far_o[axis].of[i]);
+      k_float_ray_set(f, axis, beam->inverse[axis].of[i],
+                      beam->near_o[axis].of[i], beam->far_o[axis].of[i]);
     }
 }
 

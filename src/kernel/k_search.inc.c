@@ -29,6 +29,22 @@ k_reach_float(const struct k_scene *scene, const struct k_ray *ray)
   return (float)(k_ray_reach(ray) * scene->tree.scale) * 0x1.000002p0f;
 }
 
+/** Where a ray starts, in the tree's coordinates, and where it goes, as floats:
+    x y z and something. */
+static inline f4
+k_float_o(const struct k_tree *tree, const struct k_ray *ray)
+{
+  d4 o = d4_load(&ray->o.x), center = d4_load(&tree->center.x);
+
+  return d4_to_f4(d4_mul(d4_sub(o, center), d4_all(tree->scale)));
+}
+
+static inline f4
+k_float_d(const struct k_ray *ray)
+{
+  return d4_to_f4(d4_load(&ray->d.x));
+}
+
 struct k_float_ray
 {
   f8 inverse[3];
@@ -36,24 +52,41 @@ struct k_float_ray
   int near_side[3], far_side[3];
 };
 
+/** The floats of an axis, from all three. */
 static inline void
-k_float_ray_start(struct k_float_ray *f, struct k_vec o, struct k_vec d)
+k_float_ray_set(struct k_float_ray *f, int axis, float inverse, float near_o,
+                float far_o)
 {
-  double pad = PAD * (1 + k_norm_max(o));
+  int falls = inverse < 0;
 
+  f->near_side[axis] = axis + 3 * falls;
+  f->far_side[axis] = axis + 3 * !falls;
+  f->inverse[axis] = f8_all(inverse);
+  f->near_o[axis] = f8_all(near_o);
+  f->far_o[axis] = f8_all(far_o);
+}
+
+/** 0: the ray comes from too far. */
+static inline int
+k_float_ray_start(struct k_float_ray *f, const struct k_tree *tree,
+                  const struct k_ray *ray)
+{
+  f4 o = k_float_o(tree, ray);
+  f4 i = f4_div(f4_all(1), k_float_d(ray));
+  float far = f4_most_xyz(f4_abs(o));
+  float inverse[4], near_o[4], far_o[4];
+
+  i = f4_max(f4_all(-STEEP), f4_min(f4_all(STEEP), i));
+  f4 slack = f4_mul(f4_all(2 * PAD * (far > 1 ? far : 1)), f4_abs(i));
+  f4 middle = f4_mul(o, i);
+  f4_store(inverse, i);
+  f4_store(near_o, f4_add(middle, slack));
+  f4_store(far_o, f4_sub(middle, slack));
   for (int axis = 0; axis < 3; axis++)
     {
-      double x = k_component(o, axis);
-      float inverse = 1 / (float)k_component(d, axis);
-      int falls = signbit(inverse) != 0;
-      float i = fabsf(inverse) < STEEP ? inverse : falls ? -STEEP : STEEP;
-      double slack = pad * fabsf(i);
-      f->near_side[axis] = falls ? axis + 3 : axis;
-      f->far_side[axis] = falls ? axis : axis + 3;
-      f->inverse[axis] = f8_all(i);
-      f->near_o[axis] = f8_all((float)(x * i + slack));
-      f->far_o[axis] = f8_all((float)(x * i - slack));
+      k_float_ray_set(f, axis, inverse[axis], near_o[axis], far_o[axis]);
     }
+  return far < FAR;
 }
 
 /** Which boxes of a node the ray may meet before t_most, bit by bit, and
@@ -222,18 +255,17 @@ k_tree_walk(const struct k_scene *scene, struct k_ray *ray,
 static void
 k_tree_ask(const struct k_scene *scene, struct k_ray *ray)
 {
-  const struct k_tree *tree = &scene->tree;
   struct k_float_ray f;
-  struct k_vec o = k_scale(k_sub(ray->o, tree->center), tree->scale);
 
   k_assume_eye(ray);
-  if (!(k_norm_max(o) < FAR))
+  if (k_float_ray_start(&f, &scene->tree, ray))
     {
-      k_ask_some(scene, ray, tree->refs, tree->ref_count);
-      return;
+      k_tree_walk(scene, ray, &f, 0);
     }
-  k_float_ray_start(&f, o, ray->d);
-  k_tree_walk(scene, ray, &f, 0);
+  else
+    {
+      k_ask_some(scene, ray, scene->tree.refs, scene->tree.ref_count);
+    }
 }
 
 /** Asks what is not in the tree. */
