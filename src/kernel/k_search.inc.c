@@ -152,54 +152,78 @@ k_leaf_ask(const struct k_scene *scene, struct k_ray *ray, uint32_t leaf)
     }
 }
 
+/** A child on the stack: where the ray goes in, and which. No t is below 0, so
+    that its bits in front order entries as t does. */
+static inline uint64_t
+k_entry(uint32_t child, float t)
+{
+  uint32_t bits;
+
+  memcpy(&bits, &t, sizeof bits);
+  return (uint64_t)bits << 32 | child;
+}
+
+static inline float
+k_entry_t(uint64_t entry)
+{
+  uint32_t bits = entry >> 32;
+  float t;
+
+  memcpy(&t, &bits, sizeof t);
+  return t;
+}
+
+/** Puts the lesser of two first. */
+static inline void
+k_order(uint64_t *first, uint64_t *second)
+{
+  uint64_t a = *first, b = *second;
+
+  *first = a < b ? a : b;
+  *second = a < b ? b : a;
+}
+
 /** Puts all boxes that are hit on the stack but the nearest, the nearest of
-    them on top; that one is returned. */
+    them on top; that one is returned. Nothing here hangs on the order they
+    come in but what is moved: no branch to guess. */
 static inline uint32_t
 k_nearest_first(const struct k_node *node, unsigned hits, f8 t_in,
-                struct entry **top)
+                uint64_t **top)
 {
   float t[K_WIDTH];
   unsigned i = __builtin_ctz(hits);
-  struct entry *bottom = *top;
+  uint64_t *bottom = *top;
 
   if ((hits &= hits - 1) == 0)
     {
       return node->child[i];
     }
   f8_store(t, t_in);
-  struct entry nearest = { node->child[i], t[i] };
+  uint64_t nearest = k_entry(node->child[i], t[i]);
   do
     {
       i = __builtin_ctz(hits);
-      struct entry e = { node->child[i], t[i] };
-      if (e.t < nearest.t)
+      uint64_t e = k_entry(node->child[i], t[i]);
+      k_order(&nearest, &e);
+      for (uint64_t *p = bottom; p < *top; p++)
         {
-          struct entry swap = nearest;
-          nearest = e;
-          e = swap;
+          k_order(&e, p);
         }
-      struct entry *p = (*top)++;
-      while (p > bottom && p[-1].t < e.t)
-        {
-          *p = p[-1];
-          p--;
-        }
-      *p = e;
+      *(*top)++ = e;
     }
   while (hits &= hits - 1);
-  return nearest.child;
+  return (uint32_t)nearest;
 }
 
 /** The same in no order, for feelers, who take whatever blocks them. */
 static inline uint32_t
-k_any_first(const struct k_node *node, unsigned hits, struct entry **top)
+k_any_first(const struct k_node *node, unsigned hits, uint64_t **top)
 {
   unsigned i = __builtin_ctz(hits);
 
   while (hits &= hits - 1)
     {
-      (*top)->child = node->child[__builtin_ctz(hits)];
-      (*top)++->t = 0;
+      *(*top)++ = node->child[__builtin_ctz(hits)];
     }
   return node->child[i];
 }
@@ -210,7 +234,7 @@ k_tree_walk(const struct k_scene *scene, struct k_ray *ray,
             const struct k_float_ray *f, uint32_t at)
 {
   const struct k_tree *tree = &scene->tree;
-  struct entry stack[STACK], *top = stack;
+  uint64_t stack[STACK], *top = stack;
   k_assume_eye(ray);
   float t_most = k_reach_float(scene, ray);
 
@@ -245,8 +269,8 @@ k_tree_walk(const struct k_scene *scene, struct k_ray *ray,
               return;
             }
           top--;
-          at = top->child;
-          hits = top->t <= t_most;
+          at = (uint32_t)*top;
+          hits = k_entry_t(*top) <= t_most;
         }
     }
 }
