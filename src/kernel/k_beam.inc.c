@@ -9,10 +9,10 @@
 #include "k_search.inc.c"
 
 // Fewer rays than this are not worth a shaft.
-#define FEW 3
+#define FEW 8
 
 // So many rays that are left in a box go on alone.
-#define ALONE 3
+#define ALONE 8
 
 // A shaft is made of rays that run along one axis by this much at least: their
 // slopes against it are then less than 4.
