@@ -9,10 +9,10 @@
 #include "k_search.inc.c"
 
 // Fewer rays than this are not worth a shaft.
-#define FEW 3
+#define FEW 8
 
 // So many rays that are left in a box go on alone.
-#define ALONE 3
+#define ALONE 8
 
 // A shaft is made of rays that run along one axis by this much at least: their
 // slopes against it are then less than 4.
@@ -33,20 +33,23 @@ struct k_shaft
 #define GROUPS (K_MANY / 8)     // of eight rays, at most
 #define EACH_GROUP(g, beam) (int g = 0; g == 0 || g < (beam)->groups; g++)
 
+/** A float of each ray. */
+union k_lanes
+{
+  f8 all[GROUPS];
+  float of[K_MANY];
+};
+
 struct k_beam
 {
   struct k_ray *rays;
   unsigned n;
   int groups;                   // of eight rays, that n rays take
-  int is_from_one;              // all rays start at one point
+  int is_from_one;              // all rays start at one point, as floats
   f8 o[3][GROUPS], d[3][GROUPS];
-  f8 inverse[3][GROUPS];
-  f8 near_o[3][GROUPS], far_o[3][GROUPS];       // as in k_float_ray
-  union
-  {
-    f8 all[GROUPS];
-    float of[K_MANY];
-  } t_most;
+  union k_lanes inverse[3];
+  union k_lanes near_o[3], far_o[3];    // as in k_float_ray
+  union k_lanes t_most;
   struct k_shaft shaft;
 };
 
@@ -89,31 +92,33 @@ k_beam_start(struct k_beam *beam, const struct k_scene *scene,
   const struct k_tree *tree = &scene->tree;
   float o[3][K_MANY], d[3][K_MANY];
   f8 farthest = f8_all(0);
-  int is_from_one = 1;
 
   beam->rays = rays;
   beam->n = n;
   beam->groups = (n + 7) / 8;
-  for (unsigned i = 0; i < 8u * beam->groups; i++)
+  for (unsigned i = 0; i < 8u * beam->groups; i += 4)
     {
-      const struct k_ray *ray = &rays[i < n ? i : 0];
-      is_from_one &= ray->o.x == rays->o.x && ray->o.y == rays->o.y
-        && ray->o.z == rays->o.z;
-      o[0][i] = (ray->o.x - tree->center.x) * tree->scale;
-      o[1][i] = (ray->o.y - tree->center.y) * tree->scale;
-      o[2][i] = (ray->o.z - tree->center.z) * tree->scale;
-      d[0][i] = ray->d.x;
-      d[1][i] = ray->d.y;
-      d[2][i] = ray->d.z;
-      beam->t_most.of[i] = i < n ? k_reach_float(scene, ray) : -1;
+      f4 from[4], to[4];
+      for (unsigned j = 0; j < 4; j++)
+        {
+          const struct k_ray *ray = &rays[i + j < n ? i + j : 0];
+          from[j] = k_float_o(tree, ray);
+          to[j] = k_float_d(ray);
+          beam->t_most.of[i + j] = i + j < n ? k_reach_float(scene, ray) : -1;
+        }
+      f4_turn_four(from, &o[0][i], &o[1][i], &o[2][i]);
+      f4_turn_four(to, &d[0][i], &d[1][i], &d[2][i]);
     }
-  beam->is_from_one = is_from_one;
+  beam->is_from_one = 1;
   for EACH_GROUP (g, beam)
     {
       f8 far = f8_all(1);
       for (int axis = 0; axis < 3; axis++)
         {
+          f8 first = f8_all(o[axis][0]);
           beam->o[axis][g] = f8_load(o[axis] + 8 * g);
+          beam->is_from_one &= (f8_le(beam->o[axis][g], first)
+                                & f8_le(first, beam->o[axis][g])) == 0xff;
           beam->d[axis][g] = f8_load(d[axis] + 8 * g);
           far = f8_max(f8_abs(beam->o[axis][g]), far);
         }
@@ -126,9 +131,9 @@ k_beam_start(struct k_beam *beam, const struct k_scene *scene,
           inverse = f8_max(f8_all(-STEEP), inverse);
           f8 slack = f8_mul(pad, f8_abs(inverse));
           f8 middle = f8_mul(beam->o[axis][g], inverse);
-          beam->inverse[axis][g] = inverse;
-          beam->near_o[axis][g] = f8_add(middle, slack);
-          beam->far_o[axis][g] = f8_sub(middle, slack);
+          beam->inverse[axis].all[g] = inverse;
+          beam->near_o[axis].all[g] = f8_add(middle, slack);
+          beam->far_o[axis].all[g] = f8_sub(middle, slack);
         }
     }
   return f8_most(farthest) < FAR;
@@ -167,7 +172,7 @@ k_shaft_planes(struct k_beam *beam, int side, int x, int z,
 
   for EACH_GROUP (g, beam)
     {
-      slope[g] = f8_mul(beam->d[x][g], beam->inverse[z][g]);
+      slope[g] = f8_mul(beam->d[x][g], beam->inverse[z].all[g]);
     }
   // Of x against z, whichever way the rays go along z.
   float least = k_least(beam, slope), most = k_most(beam, slope);
@@ -283,11 +288,11 @@ k_beam_test(const struct k_beam *beam, const struct k_node *node, unsigned i)
       f8 in = f8_all(0), out = beam->t_most.all[g];
       for (int axis = 0; axis < 3; axis++)
         {
-          f8 inverse = beam->inverse[axis][g];
+          f8 inverse = beam->inverse[axis].all[g];
           f8 a = f8_mul(f8_all(node->bounds[axis][i]), inverse);
           f8 b = f8_mul(f8_all(node->bounds[axis + 3][i]), inverse);
-          in = f8_max(f8_sub(f8_min(a, b), beam->near_o[axis][g]), in);
-          out = f8_min(f8_sub(f8_max(a, b), beam->far_o[axis][g]), out);
+          in = f8_max(f8_sub(f8_min(a, b), beam->near_o[axis].all[g]), in);
+          out = f8_min(f8_sub(f8_max(a, b), beam->far_o[axis].all[g]), out);
         }
       lanes |= f8_le(in, out) << (8 * g);
     }
@@ -329,17 +334,31 @@ k_push_all(uint32_t node, unsigned hits, struct entry *top)
   return top;
 }
 
+/** One ray of the beam as floats. */
+static inline void
+k_lane(struct k_float_ray *f, const struct k_beam *beam, unsigned i)
+{
+  for (int axis = 0; axis < 3; axis++)
+    {
+      k_float_ray_set(f, axis, beam->inverse[axis].of[i],
+                      beam->near_o[axis].of[i], beam->far_o[axis].of[i]);
+    }
+}
+
 /** Asks the shapes of a leaf, or of all below a node, for one ray alone. */
 static inline void
-k_ask_alone(const struct k_scene *scene, struct k_ray *ray, uint32_t child)
+k_ask_alone(const struct k_scene *scene, const struct k_beam *beam,
+            unsigned i, uint32_t child)
 {
   if (child & K_LEAF)
     {
-      k_leaf_ask(scene, ray, child);
+      k_leaf_ask(scene, &beam->rays[i], child);
     }
   else
     {
-      k_tree_ask(scene, ray, child);
+      struct k_float_ray f;
+      k_lane(&f, beam, i);
+      k_tree_walk(scene, &beam->rays[i], &f, child);
     }
 }
 
@@ -390,7 +409,7 @@ k_beam_ask(const struct k_scene *scene, struct k_beam *beam, int is_feeler)
               unsigned i = __builtin_ctz(lanes);
               struct k_ray *ray = &beam->rays[i];
               double t = ray->hit.t;
-              k_ask_alone(scene, ray, child);
+              k_ask_alone(scene, beam, i, child);
               if (ray->hit.t < t)
                 {
                   is_nearer = 1;

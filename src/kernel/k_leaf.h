@@ -285,9 +285,9 @@ k_ref_medium(const struct k_scene *scene, struct k_ref ref)
     : scene->users[ref.index].s.medium;
 }
 
-/** Asks one shape of the tree; feelers skip what is clear. */
-static inline void
-k_ref_ask(const struct k_scene *scene, struct k_ref ref, struct k_ray *ray)
+/** Asks a shape of a kind of which a scene has few. */
+static __attribute__((noinline)) void
+k_rare_ask(const struct k_scene *scene, struct k_ref ref, struct k_ray *ray)
 {
   const struct k_user_shape *u;
 
@@ -295,20 +295,6 @@ k_ref_ask(const struct k_scene *scene, struct k_ref ref, struct k_ray *ray)
   K_AMBIENT_MEANS(ref.kind != K_CONVEX);
   switch ((enum k_kind)ref.kind)
     {
-    case K_SPHERE:
-      if (!ray->is_feeler
-          || k_is_opaque(scene, &scene->spheres[ref.index].s))
-        {
-          k_sphere_ask(&scene->spheres[ref.index], ray);
-        }
-      break;
-    case K_POLYGON:
-      if (!ray->is_feeler
-          || k_is_opaque(scene, &scene->polygons[ref.index].s))
-        {
-          k_polygon_ask(&scene->polygons[ref.index], ray);
-        }
-      break;
     case K_CONVEX:
       if (!ray->is_feeler)
         {
@@ -325,6 +311,36 @@ k_ref_ask(const struct k_scene *scene, struct k_ref ref, struct k_ray *ray)
     case K_PLANE:
       k_plane_ask(scene, &scene->planes[ref.index], ray);
       break;
+    case K_SPHERE:
+    case K_POLYGON:
+      break;                    // k_ref_ask
+    }
+}
+
+/** Asks one shape of the tree; feelers skip what is clear. */
+static inline void
+k_ref_ask(const struct k_scene *scene, struct k_ref ref, struct k_ray *ray)
+{
+  k_assume_eye(ray);
+  if (ref.kind == K_SPHERE)
+    {
+      const struct k_sphere *sphere = &scene->spheres[ref.index];
+      if (!ray->is_feeler || k_is_opaque(scene, &sphere->s))
+        {
+          k_sphere_ask(sphere, ray);
+        }
+    }
+  else if (ref.kind == K_POLYGON)
+    {
+      const struct k_polygon *polygon = &scene->polygons[ref.index];
+      if (!ray->is_feeler || k_is_opaque(scene, &polygon->s))
+        {
+          k_polygon_ask(polygon, ray);
+        }
+    }
+  else
+    {
+      k_rare_ask(scene, ref, ray);
     }
 }
 

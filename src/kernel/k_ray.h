@@ -29,7 +29,7 @@ struct k_hit
 
 struct k_ray
 {
-  struct k_vec o, d;
+  struct k_vec o, d;            // read four doubles at a time: k_float_o
   double dis;                   // of the path before o
   struct k_shear shear;         // see k_ray_shear
   int has_shear;

@@ -89,7 +89,7 @@ struct k_tree
   uint32_t node_count;
   struct k_ref *refs;           // shapes, in the order of the leaves
   uint32_t ref_count;
-  struct k_vec center;
+  struct k_vec center;          // and the scale behind it: k_float_o
   double scale;                 // a power of two
   unsigned depth;
   double cost;                  // see k_facts

@@ -29,6 +29,22 @@ k_reach_float(const struct k_scene *scene, const struct k_ray *ray)
   return (float)(k_ray_reach(ray) * scene->tree.scale) * 0x1.000002p0f;
 }
 
+/** Where a ray starts, in the tree's coordinates, and where it goes, as floats:
+    x y z and something. */
+static inline f4
+k_float_o(const struct k_tree *tree, const struct k_ray *ray)
+{
+  d4 o = d4_load(&ray->o.x), center = d4_load(&tree->center.x);
+
+  return d4_to_f4(d4_mul(d4_sub(o, center), d4_all(tree->scale)));
+}
+
+static inline f4
+k_float_d(const struct k_ray *ray)
+{
+  return d4_to_f4(d4_load(&ray->d.x));
+}
+
 struct k_float_ray
 {
   f8 inverse[3];
@@ -36,24 +52,41 @@ struct k_float_ray
   int near_side[3], far_side[3];
 };
 
+/** The floats of an axis, from all three. */
 static inline void
-k_float_ray_start(struct k_float_ray *f, struct k_vec o, struct k_vec d)
+k_float_ray_set(struct k_float_ray *f, int axis, float inverse, float near_o,
+                float far_o)
 {
-  double pad = PAD * (1 + k_norm_max(o));
+  int falls = inverse < 0;
 
+  f->near_side[axis] = axis + 3 * falls;
+  f->far_side[axis] = axis + 3 * !falls;
+  f->inverse[axis] = f8_all(inverse);
+  f->near_o[axis] = f8_all(near_o);
+  f->far_o[axis] = f8_all(far_o);
+}
+
+/** 0: the ray comes from too far. */
+static inline int
+k_float_ray_start(struct k_float_ray *f, const struct k_tree *tree,
+                  const struct k_ray *ray)
+{
+  f4 o = k_float_o(tree, ray);
+  f4 i = f4_div(f4_all(1), k_float_d(ray));
+  float far = f4_most_xyz(f4_abs(o));
+  float inverse[4], near_o[4], far_o[4];
+
+  i = f4_max(f4_all(-STEEP), f4_min(f4_all(STEEP), i));
+  f4 slack = f4_mul(f4_all(2 * PAD * (far > 1 ? far : 1)), f4_abs(i));
+  f4 middle = f4_mul(o, i);
+  f4_store(inverse, i);
+  f4_store(near_o, f4_add(middle, slack));
+  f4_store(far_o, f4_sub(middle, slack));
   for (int axis = 0; axis < 3; axis++)
     {
-      double x = k_component(o, axis);
-      float inverse = 1 / (float)k_component(d, axis);
-      int falls = signbit(inverse) != 0;
-      float i = fabsf(inverse) < STEEP ? inverse : falls ? -STEEP : STEEP;
-      double slack = pad * fabsf(i);
-      f->near_side[axis] = falls ? axis + 3 : axis;
-      f->far_side[axis] = falls ? axis : axis + 3;
-      f->inverse[axis] = f8_all(i);
-      f->near_o[axis] = f8_all((float)(x * i + slack));
-      f->far_o[axis] = f8_all((float)(x * i - slack));
+      k_float_ray_set(f, axis, inverse[axis], near_o[axis], far_o[axis]);
     }
+  return far < FAR;
 }
 
 /** Which boxes of a node the ray may meet before t_most, bit by bit, and
@@ -83,13 +116,13 @@ struct entry
   float t;
 };
 
-static inline void
-k_leaf_ask(const struct k_scene *scene, struct k_ray *ray, uint32_t leaf)
+/** Asks n shapes of the tree, those of one medium if the ray asks for no
+    others. */
+static __attribute__((noinline)) void
+k_ask_some(const struct k_scene *scene, struct k_ray *ray,
+           const struct k_ref *ref, uint32_t n)
 {
-  const struct k_ref *ref = &scene->tree.refs[(leaf & ~K_LEAF) >> 3];
-
-  k_assume_eye(ray);
-  for (unsigned n = (leaf & 7) + 1; n; n--, ref++)
+  for (; n; n--, ref++)
     {
       if (ray->only && k_ref_medium(scene, *ref) != ray->only)
         {
@@ -100,89 +133,111 @@ k_leaf_ask(const struct k_scene *scene, struct k_ray *ray, uint32_t leaf)
     }
 }
 
-static void
-k_ask_all(const struct k_scene *scene, struct k_ray *ray)
+static inline void
+k_leaf_ask(const struct k_scene *scene, struct k_ray *ray, uint32_t leaf)
 {
-  for (uint32_t i = 0; i < scene->tree.ref_count; i++)
+  const struct k_ref *ref = &scene->tree.refs[(leaf & ~K_LEAF) >> 3];
+  unsigned n = (leaf & 7) + 1;
+
+  k_assume_eye(ray);
+  if (ray->only)
     {
-      if (ray->only && k_ref_medium(scene, scene->tree.refs[i]) != ray->only)
-        {
-          continue;
-        }
-      ray->counters->tests++;
-      k_ref_ask(scene, scene->tree.refs[i], ray);
+      k_ask_some(scene, ray, ref, n);
+      return;
+    }
+  ray->counters->tests += n;
+  for (; n; n--, ref++)
+    {
+      k_ref_ask(scene, *ref, ray);
     }
 }
 
+/** A child on the stack: where the ray goes in, and which. No t is below 0, so
+    that its bits in front order entries as t does. */
+static inline uint64_t
+k_entry(uint32_t child, float t)
+{
+  uint32_t bits;
+
+  memcpy(&bits, &t, sizeof bits);
+  return (uint64_t)bits << 32 | child;
+}
+
+static inline float
+k_entry_t(uint64_t entry)
+{
+  uint32_t bits = entry >> 32;
+  float t;
+
+  memcpy(&t, &bits, sizeof t);
+  return t;
+}
+
+/** Puts the lesser of two first. */
+static inline void
+k_order(uint64_t *first, uint64_t *second)
+{
+  uint64_t a = *first, b = *second;
+
+  *first = a < b ? a : b;
+  *second = a < b ? b : a;
+}
+
 /** Puts all boxes that are hit on the stack but the nearest, the nearest of
-    them on top; that one is returned. */
+    them on top; that one is returned. Nothing here hangs on the order they
+    come in but what is moved: no branch to guess. */
 static inline uint32_t
 k_nearest_first(const struct k_node *node, unsigned hits, f8 t_in,
-                struct entry **top)
+                uint64_t **top)
 {
   float t[K_WIDTH];
   unsigned i = __builtin_ctz(hits);
-  struct entry *bottom = *top;
+  uint64_t *bottom = *top;
 
   if ((hits &= hits - 1) == 0)
     {
       return node->child[i];
     }
   f8_store(t, t_in);
-  struct entry nearest = { node->child[i], t[i] };
+  uint64_t nearest = k_entry(node->child[i], t[i]);
   do
     {
       i = __builtin_ctz(hits);
-      struct entry e = { node->child[i], t[i] };
-      if (e.t < nearest.t)
+      uint64_t e = k_entry(node->child[i], t[i]);
+      k_order(&nearest, &e);
+      for (uint64_t *p = bottom; p < *top; p++)
         {
-          struct entry swap = nearest;
-          nearest = e;
-          e = swap;
+          k_order(&e, p);
         }
-      struct entry *p = (*top)++;
-      while (p > bottom && p[-1].t < e.t)
-        {
-          *p = p[-1];
-          p--;
-        }
-      *p = e;
+      *(*top)++ = e;
     }
   while (hits &= hits - 1);
-  return nearest.child;
+  return (uint32_t)nearest;
 }
 
 /** The same in no order, for feelers, who take whatever blocks them. */
 static inline uint32_t
-k_any_first(const struct k_node *node, unsigned hits, struct entry **top)
+k_any_first(const struct k_node *node, unsigned hits, uint64_t **top)
 {
   unsigned i = __builtin_ctz(hits);
 
   while (hits &= hits - 1)
     {
-      (*top)->child = node->child[__builtin_ctz(hits)];
-      (*top)++->t = 0;
+      *(*top)++ = node->child[__builtin_ctz(hits)];
     }
   return node->child[i];
 }
 
-/** Asks what is below a node of the tree. */
+/** Asks what is below a node of the tree, with the ray as floats. */
 static void
-k_tree_ask(const struct k_scene *scene, struct k_ray *ray, uint32_t at)
+k_tree_walk(const struct k_scene *scene, struct k_ray *ray,
+            const struct k_float_ray *f, uint32_t at)
 {
   const struct k_tree *tree = &scene->tree;
-  struct k_float_ray f;
-  struct entry stack[STACK], *top = stack;
+  uint64_t stack[STACK], *top = stack;
   k_assume_eye(ray);
   float t_most = k_reach_float(scene, ray);
-  struct k_vec o = k_scale(k_sub(ray->o, tree->center), tree->scale);
 
-  if (!(k_norm_max(o) < FAR))
-    {
-      k_ask_all(scene, ray);
-      return;
-    }
-  k_float_ray_start(&f, o, ray->d);
   for (;;)
     {
       unsigned hits = 0;
@@ -200,7 +255,7 @@ k_tree_ask(const struct k_scene *scene, struct k_ray *ray, uint32_t at)
           const struct k_node *node = &tree->nodes[at];
           f8 t_in;
           ray->counters->nodes++;
-          hits = k_node_test(node, &f, t_most, &t_in);
+          hits = k_node_test(node, f, t_most, &t_in);
           if (hits)
             {
               at = ray->is_feeler ? k_any_first(node, hits, &top)
@@ -214,9 +269,26 @@ k_tree_ask(const struct k_scene *scene, struct k_ray *ray, uint32_t at)
               return;
             }
           top--;
-          at = top->child;
-          hits = top->t <= t_most;
+          at = (uint32_t)*top;
+          hits = k_entry_t(*top) <= t_most;
         }
+    }
+}
+
+/** Asks what is in the tree. */
+static void
+k_tree_ask(const struct k_scene *scene, struct k_ray *ray)
+{
+  struct k_float_ray f;
+
+  k_assume_eye(ray);
+  if (k_float_ray_start(&f, &scene->tree, ray))
+    {
+      k_tree_walk(scene, ray, &f, 0);
+    }
+  else
+    {
+      k_ask_some(scene, ray, scene->tree.refs, scene->tree.ref_count);
     }
 }
 
@@ -248,6 +320,6 @@ K_CLOSEST(const struct k_scene *scene, struct k_ray *ray)
   k_ask_unbounded(scene, ray);
   if (scene->tree.nodes && !(ray->is_feeler && ray->hit.surface))
     {
-      k_tree_ask(scene, ray, 0);
+      k_tree_ask(scene, ray);
     }
 }

@@ -25,6 +25,7 @@ static inline f4 f4_sub(f4 a, f4 b) { return _mm_sub_ps(a, b); }
 static inline f4 f4_mul(f4 a, f4 b) { return _mm_mul_ps(a, b); }
 static inline f4 f4_min(f4 a, f4 b) { return _mm_min_ps(a, b); }
 static inline f4 f4_max(f4 a, f4 b) { return _mm_max_ps(a, b); }
+static inline f4 f4_div(f4 a, f4 b) { return _mm_div_ps(a, b); }
 
 /** Bit i: a[i] < b[i]. */
 static inline unsigned
@@ -49,6 +50,27 @@ f4_turn(f4 a)
 
 static inline float f4_first(f4 a) { return _mm_cvtss_f32(a); }
 
+/** The greatest of the first three. */
+static inline float
+f4_most_xyz(f4 a)
+{
+  f4 m = _mm_max_ps(a, _mm_movehl_ps(a, a));
+
+  return _mm_cvtss_f32(_mm_max_ss(m, _mm_shuffle_ps(a, a, 1)));
+}
+
+/** Four vectors, each x y z and something, as four x, four y and four z. */
+static inline void
+f4_turn_four(const f4 v[4], float *x, float *y, float *z)
+{
+  f4 xy0 = _mm_unpacklo_ps(v[0], v[1]), xy1 = _mm_unpacklo_ps(v[2], v[3]);
+  f4 z0 = _mm_unpackhi_ps(v[0], v[1]), z1 = _mm_unpackhi_ps(v[2], v[3]);
+
+  _mm_storeu_ps(x, _mm_movelh_ps(xy0, xy1));
+  _mm_storeu_ps(y, _mm_movehl_ps(xy1, xy0));
+  _mm_storeu_ps(z, _mm_movelh_ps(z0, z1));
+}
+
 /** Each towards zero. */
 static inline void
 f4_to_ints(int32_t *to, f4 a)
@@ -68,6 +90,7 @@ static inline f4 f4_all(float x) { F4_EACH(x); }
 static inline f4 f4_add(f4 a, f4 b) { F4_EACH(a.x[i] + b.x[i]); }
 static inline f4 f4_sub(f4 a, f4 b) { F4_EACH(a.x[i] - b.x[i]); }
 static inline f4 f4_mul(f4 a, f4 b) { F4_EACH(a.x[i] * b.x[i]); }
+static inline f4 f4_div(f4 a, f4 b) { F4_EACH(a.x[i] / b.x[i]); }
 
 static inline f4
 f4_min(f4 a, f4 b)
@@ -92,6 +115,25 @@ static inline f4 f4_xyz(f4 a) { F4_EACH(i < 3 ? a.x[i] : 0); }
 static inline f4 f4_turn(f4 a) { F4_EACH(a.x[i < 3 ? (i + 1) % 3 : 3]); }
 static inline float f4_first(f4 a) { return a.x[0]; }
 
+static inline float
+f4_most_xyz(f4 a)
+{
+  float m = a.x[0] > a.x[1] ? a.x[0] : a.x[1];
+
+  return a.x[2] > m ? a.x[2] : m;
+}
+
+static inline void
+f4_turn_four(const f4 v[4], float *x, float *y, float *z)
+{
+  for (int i = 0; i < 4; i++)
+    {
+      x[i] = v[i].x[0];
+      y[i] = v[i].x[1];
+      z[i] = v[i].x[2];
+    }
+}
+
 static inline void
 f4_store(float *p, f4 a)
 {
@@ -112,6 +154,12 @@ f4_to_ints(int32_t *to, f4 a)
 
 #endif
 
+static inline f4
+f4_abs(f4 a)
+{
+  return f4_max(f4_sub(f4_all(0), a), a);
+}
+
 // Four doubles, for polygons: the same arithmetic as one, in each lane.
 
 #if defined(__AVX2__)
@@ -124,6 +172,7 @@ static inline d4 d4_load(const double *p) { return _mm256_loadu_pd(p); }
 static inline d4 d4_all(double x) { return _mm256_set1_pd(x); }
 static inline d4 d4_sub(d4 a, d4 b) { return _mm256_sub_pd(a, b); }
 static inline d4 d4_mul(d4 a, d4 b) { return _mm256_mul_pd(a, b); }
+static inline f4 d4_to_f4(d4 a) { return _mm256_cvtpd_ps(a); }
 
 /** Bit i: a[i] >= b[i]; a[i] > b[i]. */
 static inline unsigned
@@ -168,6 +217,12 @@ d4_mul(d4 a, d4 b)
   return D4(_mm_mul_pd(a.l, b.l), _mm_mul_pd(a.h, b.h));
 }
 
+static inline f4
+d4_to_f4(d4 a)
+{
+  return _mm_movelh_ps(_mm_cvtpd_ps(a.l), _mm_cvtpd_ps(a.h));
+}
+
 static inline unsigned
 d4_ge(d4 a, d4 b)
 {
@@ -196,6 +251,7 @@ static inline d4 d4_load(const double *p) { D4_EACH(p[i]); }
 static inline d4 d4_all(double x) { D4_EACH(x); }
 static inline d4 d4_sub(d4 a, d4 b) { D4_EACH(a.x[i] - b.x[i]); }
 static inline d4 d4_mul(d4 a, d4 b) { D4_EACH(a.x[i] * b.x[i]); }
+static inline f4 d4_to_f4(d4 a) { F4_EACH((float)a.x[i]); }
 static inline unsigned d4_ge(d4 a, d4 b) { D4_MASK(a.x[i] >= b.x[i]); }
 static inline unsigned d4_gt(d4 a, d4 b) { D4_MASK(a.x[i] > b.x[i]); }
 
