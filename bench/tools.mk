@@ -9,6 +9,7 @@ CXXFLAGS = -std=c++17 -O3 -march=native -Wall -Wextra
 tools = generate measure difference pov_scene tachyon_scene
 reader = bench/peers/nff.c bench/peers/clip.c bench/peers/solids.c
 
+.PHONY: all tools
 all: $(addprefix $(to)/,$(tools) embree_peer)
 tools: $(addprefix $(to)/,$(tools))
 

@@ -4,6 +4,7 @@
 #import "errors.h"
 #import "exr_channel.h"
 #include <stdlib.h>
+#include <string.h>
 
 /** A file that is being written. */
 struct writing
@@ -12,6 +13,7 @@ struct writing
   const struct exr_channel *channels[EXR_CHANNELS];
   unsigned count;       // of channels
   union exr_value *lines;       // of one chunk, channel after channel
+  exr_result_t (*compress)(exr_encode_pipeline_t *encoder);     // OpenEXR's
 };
 
 /** OpenEXR's door to the file: like pwrite. It leaves room for the table of
@@ -100,6 +102,24 @@ write_header(exr_context_t file, image_t *image, NSDictionary *attributes,
   return result == EXR_ERR_SUCCESS ? exr_write_header(file) : result;
 }
 
+/** Packs a chunk. What does not get smaller is stored as it is, which readers
+    know by its size. Up to version 3.4.7 OpenEXR stores it packed when packing
+    leaves the size the same, and then noise is read. */
+static exr_result_t
+compress(exr_encode_pipeline_t *encoder)
+{
+  const struct writing *writing = encoder->encoding_user_data;
+  exr_result_t result = writing->compress(encoder);
+
+  if (result == EXR_ERR_SUCCESS
+      && encoder->compressed_bytes == encoder->packed_bytes)
+    {
+      memcpy(encoder->compressed_buffer, encoder->packed_buffer,
+             encoder->packed_bytes);
+    }
+  return result;
+}
+
 /** Writes the chunk that begins with line y; *height is its number of
     lines. */
 static exr_result_t
@@ -136,6 +156,9 @@ write_chunk(exr_context_t file, exr_encode_pipeline_t *encoder,
   if (isFirst)
     {
       result = exr_encoding_choose_default_routines(file, 0, encoder);
+      writing->compress = encoder->compress_fn;
+      encoder->encoding_user_data = writing;
+      encoder->compress_fn = compress;
     }
   return result == EXR_ERR_SUCCESS ? exr_encoding_run(file, 0, encoder)
                                    : result;

@@ -14,6 +14,9 @@
 /** Whether all of the object lies in `other`, as near as can be told. */
 - (BOOL) liesIn: (const struct k_plane *)other;
 
+/** Takes over a plane that it lies in. */
+- (void) takePlane: (struct k_plane)shared;
+
 /** A length that is the larger the better the object knows its plane. */
 - (double) extent;
 

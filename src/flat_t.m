@@ -41,6 +41,11 @@ compare(void *context, unsigned i, unsigned j)
   return NO;
 }
 
+- (void) takePlane: (struct k_plane)shared
+{
+  plane = shared;
+}
+
 - (double) distanceFrom: (struct k_vec)P
 {
   return fabs(k_dot(plane.n, k_sub(P, plane.q)));
@@ -81,10 +86,15 @@ compare(void *context, unsigned i, unsigned j)
         {
           best = best->better;
         }
-      struct k_plane *own = &entries[i].flat->plane;
-      BOOL is_turned = k_dot(own->n, best->plane.n) < 0;
-      own->q = best->plane.q;
-      own->n = is_turned ? k_neg(best->plane.n) : best->plane.n;
+      struct k_plane shared = best->plane;
+      if (k_dot(entries[i].flat->plane.n, shared.n) < 0)
+        {
+          shared.n = k_neg(shared.n);
+        }
+      if (best != &entries[i])
+        {
+          [entries[i].flat takePlane: shared];
+        }
     }
   free(boxes);
   free(entries);

@@ -43,12 +43,16 @@ lack_memory(void)
   _exit(STATUS_FILE);
 }
 
+// Until there is a pool: GNUstep makes what it needs, and nothing else can fail.
+static volatile sig_atomic_t is_starting = 1;
+
 /** Foundation raises an exception when memory is short, and so do we (grow.h),
     on whatever thread. */
 static void
 raised(NSException *exception)
 {
-  if ([[exception name] isEqual: NSMallocException] || errno == ENOMEM)
+  if ([[exception name] isEqual: NSMallocException] || errno == ENOMEM
+      || is_starting)
     {
       lack_memory();
     }
@@ -60,7 +64,7 @@ raised(NSException *exception)
 static void
 broken(int number)
 {
-  if (errno == ENOMEM)
+  if (errno == ENOMEM || is_starting)
     {
       lack_memory();
     }
@@ -199,6 +203,7 @@ main(int argc, char **argv)
   handle_signals();
   NSSetUncaughtExceptionHandler(raised);
   NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
+  is_starting = 0;
   options_t *options = [[[options_t alloc] init] autorelease];
   NSString *wrong = [options read: argc : argv];
   int status;

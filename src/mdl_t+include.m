@@ -3,6 +3,7 @@
 #import "errors.h"
 #import "fence.h"
 #include <errno.h>
+#include <limits.h>
 
 // Files of includes of files of includes come to an end here.
 #define DEEPEST_INCLUDE 256
@@ -131,6 +132,12 @@
 /** The file (autoreleased), or nil with a fault. */
 - (source_t *) find: (struct token)token at: (const char *)at
 {
+  if (token.length >= PATH_MAX)
+    {
+      FAULT(at, @"expected a path of at most %d bytes, found %@",
+            PATH_MAX - 1, [self quote: token]);
+      return nil;
+    }
   NSString *path = token_string(token);
   NSError *error = nil, *reason = nil;
   BOOL isOutside = NO;

@@ -221,7 +221,8 @@ is_square(uint64_t n)
                        @"of samples (1, 4, 9, 16 ...), not %llu",
                        (unsigned long long)settings.samples];
     }
-  if (settings.noise > 0 && (settings.samples > 1 || settings.exposure))
+  if (settings.noise > 0
+      && ([self isGiven: "samples"] || settings.exposure))
     {
       return @"option '--noise' finds the number of rays itself: without"
         @" '--samples' and '--exposure'";
@@ -232,7 +233,8 @@ is_square(uint64_t n)
       return @"option '--noise' takes the samplers owen and random";
     }
   if (settings.time_limit > 0
-      && (settings.noise > 0 || settings.samples > 1 || settings.exposure
+      && (settings.noise > 0 || settings.samples > 1
+          || [self isGiven: "samples"] || settings.exposure
           || settings.sampler == SAMPLER_STRATIFIED
           || settings.sampler == SAMPLER_GRID || settings.aovs
           || settings.max_error > 0 || settings.min_weight >= 0))

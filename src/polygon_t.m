@@ -168,20 +168,33 @@
   return k_bounds_extent(box);
 }
 
+/** A plane that is known from very far away lies anywhere, as far as can be
+    told: it must not move a corner by more than a millionth of the polygon or
+    the corner's own rounding. */
 - (BOOL) liesIn: (const struct k_plane *)other
 {
   double q1 = k_norm1(other->q);
+  double part = 0x1p-20 * [self extent];
 
   for (unsigned i = 0; i < count; i++)
     {
       struct k_vec v = [self vertexAt: i];
-      double off = k_dot(other->n, k_sub(v, other->q));
-      if (fabs(off) > 8 * K_U * (k_norm1(v) + q1))
+      double off = fabs(k_dot(other->n, k_sub(v, other->q)));
+      double v1 = k_norm1(v);
+      if (off > 8 * K_U * (v1 + q1) || off > k_max2(part, 16 * K_U * v1))
         {
           return NO;
         }
     }
   return YES;
+}
+
+- (void) takePlane: (struct k_plane)shared
+{
+  const double *const v[3] = { vertex[0], vertex[1], vertex[2] };
+
+  [super takePlane: shared];
+  grazing = k_polygon_grazing(&plane, count, v);
 }
 
 - (double) distanceFrom: (struct k_vec)P

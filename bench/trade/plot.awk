@@ -1,14 +1,15 @@
 # plot.awk - error against time of one scene, a line for each knob, as SVG; the
 # front (nothing is both faster and nearer) has rings. Both axes logarithmic.
-# usage: awk -v scene=NAME -f plot.awk trade.tsv
+# usage: awk -v scene=NAME [-v list='KNOB|KNOB...'] -f plot.awk trade.tsv
 
 BEGIN {
   FS = "\t"
-  wide = 720; high = 440; left = 80; right = 150; top = 50; bottom = 50
-  split("max-depth min-weight max-error owen stratified random noise quality", knobs, " ")
-  split("#c0392b #e67e22 #f1c40f #1e8449 #16a085 #7f8c8d #2471a3 #8e44ad", colors, " ")
+  wide = 740; high = 440; left = 80; right = 180; top = 50; bottom = 50
+  if (!list) list = "max-depth|min-weight|max-error|owen|stratified|random|noise|quality"
+  split(list, knobs, "|")
+  split("#c0392b #e67e22 #d4ac0d #1e8449 #16a085 #7f8c8d #2471a3 #8e44ad #6e2c00 #117864 #5d6d7e #d81b60", colors, " ")
 }
-$2 == scene && $7 > 0 && $6 > 0 && $3 != "reference" {
+$2 == scene && $7 > 0 && $6 > 0 && $3 !~ /reference$/ {
   i = ++count[$3]
   time[$3, i] = log($6) / log(10); error[$3, i] = log($7) / log(10)
   if (!seen++) { x0 = x1 = time[$3, i]; y0 = y1 = error[$3, i] }

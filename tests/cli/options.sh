@@ -131,8 +131,10 @@ for pair in '--check --format-scene' '--check --plan' \
   wrong "options '--check', '--format-scene', '--plan' and '--explain' exclude \
 each other" pin.mdl "${both[@]}"
 done
-wrong "option '--noise' finds the number of rays itself: without '--samples' \
-and '--exposure'" pin.mdl --noise .1 --samples 4 -o x.exr
+for n in 1 4; do
+  wrong "option '--noise' finds the number of rays itself: without '--samples' \
+and '--exposure'" pin.mdl --noise .1 --samples $n -o x.exr
+done
 for bad in stratified grid; do
   wrong "option '--noise' takes the samplers owen and random" \
     pin.mdl --noise .1 --sampler $bad -o x.exr

@@ -2,6 +2,7 @@
 
 #import "errors.h"
 #import "exr_t.h"
+#include "random.h"
 #include "test.h"
 #include <float.h>
 #include <openexr.h>
@@ -252,6 +253,60 @@ test_aovs(image_t *image)
     }
 }
 
+/** A number of any bits, but that it is finite. */
+static double
+noise(struct support_random *random)
+{
+  float number;
+
+  do
+    {
+      uint32_t bits = support_unit(random) * 0x1p32;
+      memcpy(&number, &bits, sizeof number);
+    }
+  while (!isfinite(number));
+  return number;
+}
+
+/** Noise, which does not get smaller by packing, with zeros in it until it
+    does: at some number of them the size stays the same. */
+static void
+test_noise(void)
+{
+  struct support_random random = support_seed(1);
+  unsigned wrong = 0;
+
+  for (unsigned zeros = 0; zeros < 600; zeros++)
+    {
+      NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
+      struct reading reading = { 0 };
+      image_t *image = sample_image();
+      for (unsigned i = 0; i < WIDTH * HEIGHT; i++)
+        {
+          struct k_vec *color = &image->pixels[i].color;
+          unsigned in_chunk = i % (16 * WIDTH);
+          *color = k_vec(noise(&random), noise(&random), noise(&random));
+          color->x = in_chunk < zeros / 6 ? 0 : color->x;
+        }
+      NSData *bytes = [exr_t fileOf: image aovs: 0 attributes: nil error: NULL];
+      if (!start(&reading, bytes) || !read_pixels(&reading))
+        {
+          wrong += WIDTH * HEIGHT;
+        }
+      for (unsigned i = 0; i < WIDTH * HEIGHT; i++)
+        {
+          struct k_vec color = image->pixels[i].color;
+          unsigned x = i % WIDTH, y = i / WIDTH;
+          wrong += reading.values[0][y][x] != bits_of(color.z)
+            || reading.values[1][y][x] != bits_of(color.y)
+            || reading.values[2][y][x] != bits_of(color.x);
+        }
+      exr_finish(&reading.file);
+      [pool release];
+    }
+  PASS(wrong == 0, "noise is read back: %u pixels are not", wrong);
+}
+
 int
 main(void)
 {
@@ -279,6 +334,7 @@ main(void)
   exr_finish(&reading->file);
   test_aovs(image);
   free(reading);
+  test_noise();
   [pool release];
   return test_done();
 }

@@ -440,6 +440,23 @@ planarity(void)
        wrong);
 }
 
+/** A plane that is known from a corner so far away that rounding puts it
+    anywhere is not taken over. */
+static void
+far_corner(void)
+{
+  model_t *model = support_model
+    (SUPPORT_CAMERA "material m { alpha .5 ior 1.5 }\n"
+     "polygon far { material m vertex 0 0x1p91 1 vertex 1 0 1 vertex 0 1 1 }\n"
+     "polygon near { material m vertex 1 0 1 vertex 0 0 0 vertex 0 1 1 }");
+  struct hit hit = support_hit(model, k_vec(0.25, 0.25, 5), k_vec(0, 0, -1));
+  struct k_vec off = k_sub(hit.N, k_scale(k_vec(1, 1, -1), 1 / sqrt(3)));
+
+  PASS(hit.object->number == 2 && fabs(hit.t - 4.5) < 8 * K_U * 5,
+       "a polygon beside one with a far corner is hit where it is: %g", hit.t);
+  PASS(k_norm_max(off) < 4 * K_U, "and keeps its normal");
+}
+
 int
 main(void)
 {
@@ -455,6 +472,7 @@ main(void)
   shared_edges();
   faults();
   planarity();
+  far_corner();
   [pool release];
   return test_done();
 }
