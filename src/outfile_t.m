@@ -5,6 +5,7 @@
 #import "errors.h"
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <limits.h>
 #include <pthread.h>
 #include <signal.h>
@@ -45,6 +46,8 @@ folder_of(NSString *path)
   return [folder length] ? folder : @".";
 }
 
+/** Writes all of it; waits for a pipe that is full, also when it was opened
+    not to block. NO: errno says why. */
 static BOOL
 write_all(int fd, NSData *data)
 {
@@ -54,7 +57,12 @@ write_all(int fd, NSData *data)
   while (left > 0)
     {
       ssize_t count = write(fd, bytes, left);
-      if (count < 0 && errno != EINTR)
+      if (count < 0 && errno == EAGAIN)
+        {
+          struct pollfd room = { .fd = fd, .events = POLLOUT };
+          poll(&room, 1, -1);
+        }
+      else if (count < 0 && errno != EINTR)
         {
           return NO;
         }

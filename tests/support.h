@@ -234,22 +234,36 @@ support_render_options(void)
   return options;
 }
 
-/** A part of the model's picture, with surfaces, by an engine. */
+/** A part of the model's picture, with or without surfaces, by an engine; what
+    was counted goes to *counters. */
 static inline image_t *
-support_render(model_t *model, id <engine_t> engine,
-               struct render_options options, struct window window)
+support_render_counted(model_t *model, id <engine_t> engine,
+                       struct render_options options, struct window window,
+                       BOOL with_surfaces, struct counters *counters)
 {
   camera_t *camera = model->camera;
   image_t *image = [[[image_t alloc] init: camera->columns : camera->rows
                                    window: window
-                                 surfaces: YES
+                                 surfaces: with_surfaces
                                     error: NULL] autorelease];
   render_t *render = [[render_t alloc] init: engine camera: camera
                                        into: image options: options];
 
   [render run];
+  *counters = render->counters;
   [render release];
   return image;
+}
+
+/** A part of the model's picture, with surfaces, by an engine. */
+static inline image_t *
+support_render(model_t *model, id <engine_t> engine,
+               struct render_options options, struct window window)
+{
+  struct counters nobody_asks;
+
+  return support_render_counted(model, engine, options, window, YES,
+                                &nobody_asks);
 }
 
 /** The fast engine with the model in it (autoreleased). */

@@ -1,6 +1,7 @@
 # plot.awk - error against time of one scene, a line for each knob, as SVG; the
 # front (nothing is both faster and nearer) has rings. Both axes logarithmic.
-# usage: awk -v scene=NAME [-v list='KNOB|KNOB...'] -f plot.awk trade.tsv
+# usage: awk -v scene=NAME [-v list='KNOB|KNOB...'] \
+#   -f bench/svg.awk -f bench/trade/plot.awk trade.tsv
 
 BEGIN {
   FS = "\t"
@@ -18,17 +19,6 @@ $2 == scene && $7 > 0 && $6 > 0 && $3 !~ /reference$/ {
   if (error[$3, i] < y0) y0 = error[$3, i]
   if (error[$3, i] > y1) y1 = error[$3, i]
   kind[$3] = $1
-}
-function floor(v) { return int(v) - (v < int(v)) }
-function x(v) { return left + (wide - left - right) * (v - x0) / (x1 - x0) }
-function y(v) { return high - bottom - (high - top - bottom) * (v - y0) / (y1 - y0) }
-function words(px, py, anchor, what, color) {
-  printf "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\" fill=\"%s\">%s</text>\n",
-    px, py, anchor, color ? color : "#333", what
-}
-function rule(ax, ay, bx, by) {
-  printf "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"#ccc\"/>\n",
-    ax, ay, bx, by
 }
 # Whether another setting measured against the same reference beats it.
 function beaten(k, i,   a, j, b) {

@@ -1,7 +1,7 @@
 # stated.awk - the error that was stated against the one that was reached, as
 # SVG, both axes logarithmic. Below the line the statement holds. For the knobs
 # of the tree of rays it is the largest of a picture; for --noise the RMS error.
-# usage: awk -f stated.awk trade.tsv
+# usage: awk -f bench/svg.awk -f bench/trade/stated.awk trade.tsv
 
 BEGIN {
   FS = "\t"
@@ -20,17 +20,6 @@ $10 != "-" && $10 > 0 && ($3 == "noise" ? $7 : $8) > 0 {
   if (reached[n] < y0) y0 = reached[n]
   if (reached[n] > y1) y1 = reached[n]
 }
-function floor(v) { return int(v) - (v < int(v)) }
-function x(v) { return left + (wide - left - right) * (v - x0) / (x1 - x0) }
-function y(v) { return high - bottom - (high - top - bottom) * (v - y0) / (y1 - y0) }
-function words(px, py, anchor, what, color) {
-  printf "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\" fill=\"%s\">%s</text>\n",
-    px, py, anchor, color ? color : "#333", what
-}
-function rule(ax, ay, bx, by, color) {
-  printf "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\"/>\n",
-    ax, ay, bx, by, color
-}
 END {
   x0 = floor(x0); x1 = -floor(-x1); y0 = floor(y0); y1 = -floor(-y1)
   printf "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" " \
@@ -38,10 +27,10 @@ END {
   printf "<rect width=\"%d\" height=\"%d\" fill=\"#fff\"/>\n", wide, high
   printf "<text x=\"%d\" y=\"24\" font-size=\"15\" fill=\"#111\">error reached against error stated</text>\n", left
   for (v = x0; v <= x1; v++) {
-    rule(x(v), y(y0), x(v), y(y1), "#ddd"); words(x(v), high - bottom + 18, "middle", "10^" v)
+    rule(x(v), y(y0), x(v), y(y1)); words(x(v), high - bottom + 18, "middle", "10^" v)
   }
   for (v = y0; v <= y1; v++) {
-    rule(x(x0), y(v), x(x1), y(v), "#ddd"); words(left - 8, y(v) + 4, "end", "10^" v)
+    rule(x(x0), y(v), x(x1), y(v)); words(left - 8, y(v) + 4, "end", "10^" v)
   }
   least = x0 > y0 ? x0 : y0; most = x1 < y1 ? x1 : y1
   rule(x(least), y(least), x(most), y(most), "#333")

@@ -299,8 +299,15 @@ k_beam_test(const struct k_beam *beam, const struct k_node *node, unsigned i)
   return lanes;
 }
 
-/** Puts all boxes on the stack, the nearest on top; the entries are
-    node * K_WIDTH + slot. */
+/** A box on the stack: node * K_WIDTH + slot, and where it begins along the
+    shaft, which may be less than 0. */
+struct entry
+{
+  uint32_t child;
+  float t;
+};
+
+/** Puts all boxes on the stack, the nearest on top. */
 static inline struct entry *
 k_push_sorted(uint32_t node, unsigned hits, f8 z_in, struct entry *top)
 {

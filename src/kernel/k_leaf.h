@@ -312,8 +312,8 @@ k_rare_ask(const struct k_scene *scene, struct k_ref ref, struct k_ray *ray)
       k_plane_ask(scene, &scene->planes[ref.index], ray);
       break;
     case K_SPHERE:
-    case K_POLYGON:
-      break;                    // k_ref_ask
+    case K_POLYGON:             // not rare: k_ref_ask
+      break;
     }
 }
 

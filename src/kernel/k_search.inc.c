@@ -52,7 +52,7 @@ struct k_float_ray
   int near_side[3], far_side[3];
 };
 
-/** The floats of an axis, from all three. */
+/** The floats of one axis. */
 static inline void
 k_float_ray_set(struct k_float_ray *f, int axis, float inverse, float near_o,
                 float far_o)
@@ -109,12 +109,6 @@ k_node_test(const struct k_node *node, const struct k_float_ray *f,
   *t_in = in;
   return f8_le(in, out);
 }
-
-struct entry
-{
-  uint32_t child;
-  float t;
-};
 
 /** Asks n shapes of the tree, those of one medium if the ray asks for no
     others. */
@@ -184,8 +178,8 @@ k_order(uint64_t *first, uint64_t *second)
 }
 
 /** Puts all boxes that are hit on the stack but the nearest, the nearest of
-    them on top; that one is returned. Nothing here hangs on the order they
-    come in but what is moved: no branch to guess. */
+    them on top; that one is returned. They are ordered without branches, which
+    nobody could guess. */
 static inline uint32_t
 k_nearest_first(const struct k_node *node, unsigned hits, f8 t_in,
                 uint64_t **top)

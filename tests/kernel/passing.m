@@ -4,22 +4,10 @@
 // then takes.
 
 #import "support.h"
+#import "pebble.h"
 #import "compiler_t.h"
 #include <sys/resource.h>
 #include <sys/wait.h>
-
-/** A sphere that the kernel does not know. */
-@interface pebble_t : sphere_t
-@end
-
-@implementation pebble_t
-
-- (BOOL) compile: (compiler_t *)compiler
-{
-  return NO;
-}
-
-@end
 
 /** One of each kind in turn; some materials come after what names them. */
 static NSString *

@@ -5,19 +5,7 @@
 // origin, very small and very large, and seen from very far away.
 
 #import "kernel.h"
-
-/** A sphere that the kernel does not know. */
-@interface pebble_t : sphere_t
-@end
-
-@implementation pebble_t
-
-- (BOOL) compile: (compiler_t *)compiler
-{
-  return NO;
-}
-
-@end
+#import "pebble.h"
 
 /** A plane that it does not know: without a box. */
 @interface sea_t : plane_t

@@ -197,30 +197,13 @@ same_counters(const struct counters *a, const struct counters *b)
     && counters_same_edges(a, b);
 }
 
-static image_t *
-picture(model_t *model, id <engine_t> engine, struct render_options options,
-        struct window window, BOOL has_surfaces, struct counters *counters)
-{
-  image_t *image = [[[image_t alloc] init: model->camera->columns
-                                         : model->camera->rows
-                                   window: window surfaces: has_surfaces
-                                    error: NULL] autorelease];
-  render_t *render = [[render_t alloc] init: engine camera: model->camera
-                                       into: image options: options];
-
-  [render run];
-  *counters = render->counters;
-  [render release];
-  return image;
-}
-
 /** How many rays --explain tells of a pixel. */
 static unsigned
 rays_told(model_t *model, struct render_options options, struct window pixel)
 {
   explain_t *engine = [[[explain_t alloc] initWithModel: model] autorelease];
   struct counters counters;
-  NSString *text = [engine textOf: picture(model, engine, options, pixel,
+  NSString *text = [engine textOf: support_render_counted(model, engine, options, pixel,
                                            NO, &counters)];
   unsigned rays = 0;
 
@@ -246,7 +229,7 @@ scene(uint64_t seed)
   options.seed = seed;
   model->choice.exact_fresnel = seed % 5 == 0;
   options.threads = 1;
-  image_t *notes = picture(model, [[[notes_t alloc] initWithModel: model]
+  image_t *notes = support_render_counted(model, [[[notes_t alloc] initWithModel: model]
                                     autorelease], options, all, YES,
                            &wanted);
   size_t bad = 0, apart = 0, miscounted = 0;
@@ -258,7 +241,7 @@ scene(uint64_t seed)
   for (int isa = 0; isa < 2; isa++)
     {
       options.threads = 1 + 2 * isa;
-      image_t *fast = picture(model, support_fast(model, isa ? nil : @"base"),
+      image_t *fast = support_render_counted(model, support_fast(model, isa ? nil : @"base"),
                               options, all, YES, &counters);
       apart += support_pixels_apart(notes, fast);
       miscounted += !same_counters(&wanted, &counters);
@@ -271,7 +254,7 @@ scene(uint64_t seed)
        "scene %llu: all eye rays", (unsigned long long)seed);
   struct window pixel = { seed % all.x1, seed % all.y1, seed % all.x1 + 1,
                           seed % all.y1 + 1 };
-  picture(model, support_fast(model, nil), options, pixel, NO,
+  support_render_counted(model, support_fast(model, nil), options, pixel, NO,
           &counters);
   unsigned told = rays_told(model, options, pixel);
   PASS(told == counters.eye + counters.reflection + counters.refraction,

@@ -1,5 +1,6 @@
 # plot.awk - a table, one column against the others, as SVG.
-# usage: awk -v title=T -v down=WHAT [-v linear=1] -f plot.awk TABLE
+# usage: awk -v title=T -v down=WHAT [-v linear=1] \
+#   -f bench/svg.awk -f tests/stability/plot.awk TABLE
 # The first line names the columns; the axes are logarithmic, with linear the
 # one upwards not and the one across counts powers of two.
 
@@ -19,17 +20,6 @@ NR == 1 { for (i = 1; i <= NF; i++) name[i] = $i; columns = NF; next }
     if (seen++ == 0 || value[rows, i] < y0) y0 = value[rows, i]
     if (seen == 1 || value[rows, i] > y1) y1 = value[rows, i]
   }
-}
-function floor(v) { return int(v) - (v < int(v)) }
-function x(v) { return left + (wide - left - right) * (v - x0) / (x1 - x0) }
-function y(v) { return high - bottom - (high - top - bottom) * (v - y0) / (y1 - y0) }
-function words(px, py, anchor, what, color) {
-  printf "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\" fill=\"%s\">%s</text>\n",
-    px, py, anchor, color ? color : "#333", what
-}
-function rule(ax, ay, bx, by) {
-  printf "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"#ccc\"/>\n",
-    ax, ay, bx, by
 }
 END {
   x0 = across[1]; x1 = across[rows]
