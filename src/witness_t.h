@@ -12,9 +12,9 @@ struct seen_light
   BOOL is_lit;
   struct k_vec L;       // direction to it
   struct k_vec e;       // lit: what arrives, with the falloff in it
-  double r;             // its distance; 0: the point has its back to it, or is
-                        // in it, and no feeler was sent
-  object_t *blocker;    // the object that hides it, or nil
+  double r;             // lit: its distance
+  object_t *blocker;    // the object that hides it; nil: none, or the point
+                        // has its back to the light or is in it
 };
 
 /** What became of the reflected or the refracted ray. */

@@ -1,5 +1,6 @@
 #import "witness_t.h"
 #import "grow.h"
+#import "light_t.h"
 #import "model_t.h"
 
 @implementation witness_t
@@ -41,10 +42,13 @@
   BOOL is_lit = [super sees: light in: model from: P : Ns : L : e];
   struct seen_light seen = { .is_lit = is_lit, .L = *L };
 
-  if (feeler)
+  if (is_lit)
     {
       seen.e = *e;
-      seen.r = feeler->end;
+      seen.r = k_length(k_sub(light->location, P->v));
+    }
+  if (feeler)
+    {
       seen.blocker = feeler->hit.object;
       DESTROY(feeler);
     }

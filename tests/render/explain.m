@@ -275,6 +275,9 @@ main(void)
   model->max_depth = 1;
   cut(model, 0);
   pixels(model, options, "not deep");
+  model = scene_model(pinhole);
+  model->choice.no_shadows = 1;
+  pixels(model, options, "no shadows");
   options.samples = 3;
   pixels(scene_model(lens), options, "lens, 3 samples");
   [pool release];
