@@ -12,12 +12,6 @@ struct source
   struct k_vec passed;
 };
 
-static struct k_vec
-larger(struct k_vec a, struct k_vec b)
-{
-  return k_vec(k_max2(a.x, b.x), k_max2(a.y, b.y), k_max2(a.z, b.z));
-}
-
 /** a b for colours, where nothing of anything is nothing. */
 static struct k_vec
 part(struct k_vec a, struct k_vec b)
@@ -55,7 +49,7 @@ add_object(struct source *source, object_t *object, NSArray *lights)
   double own = 1 - m->alpha;
   struct k_vec rest = k_add(part(k_vec(own, own, own), diffuse),
                             part(m->specular, light));
-  source->own.rest = larger(source->own.rest, rest);
+  source->own.rest = cut_larger(source->own.rest, rest);
 }
 
 static struct source
@@ -106,6 +100,26 @@ sources_of(model_t *model, unsigned *count)
   return sources;
 }
 
+/** Takes out what passes nothing on; *most is then no less than what it gives.
+    Returns how many are left. */
+static unsigned
+leave_dull(struct source *sources, unsigned count, struct cut_most *most)
+{
+  unsigned left = 0;
+
+  for (unsigned i = 0; i < count; i++)
+    {
+      if (!k_is_zero(sources[i].passed))
+        {
+          sources[left++] = sources[i];
+          continue;
+        }
+      most->ambient = cut_larger(most->ambient, sources[i].own.ambient);
+      most->rest = cut_larger(most->rest, sources[i].own.rest);
+    }
+  return left;
+}
+
 static BOOL
 is_same(struct cut_most a, struct cut_most b)
 {
@@ -119,19 +133,20 @@ is_same(struct cut_most a, struct cut_most b)
       unsigned sources_count;
       struct source *sources = sources_of(model, &sources_count);
       struct cut_most before = { { 0, 0, 0 }, { 0, 0, 0 } }, now;
+      struct cut_most dull = { { 0, 0, 0 }, model->background };
       unsigned room = 0;
 
+      sources_count = leave_dull(sources, sources_count, &dull);
       for (unsigned g = 0; g <= generations; g++, before = now)
         {
-          now.ambient = k_vec(0, 0, 0);
-          now.rest = model->background;
+          now = dull;
           for (unsigned i = 0; i < sources_count; i++)
             {
               const struct source *s = &sources[i];
-              now.ambient = larger(now.ambient,
+              now.ambient = cut_larger(now.ambient,
                                    k_add(s->own.ambient,
                                          part(s->passed, before.ambient)));
-              now.rest = larger(now.rest,
+              now.rest = cut_larger(now.rest,
                                 k_add(s->own.rest,
                                       part(s->passed, before.rest)));
             }

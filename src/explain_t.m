@@ -55,7 +55,7 @@
   witness_tell_vec(&to, @"pixel", image->pixels->color);
   if (errors)
     {
-      witness_tell_number(&to, @"lacks at most", errors[0]);
+      witness_tell_number(&to, @"off at most", errors[0]);
     }
   return to.text;
 }

@@ -19,9 +19,13 @@
 - (vec_t *) refractAt: (vec_t *)Ns inside: (media_t **)inside
           reflectance: (double *)R of: (model_t *)model;
 
+/** Whether the feeler that sees: would send is not worth it, without which
+    the colour is off by that much at most. */
+- (BOOL) cutsFeeler: (struct k_vec)off;
+
 /** Whether a ray that would be spawned is not worth it; if not, *branch is
     what it is as a branch. */
-- (BOOL) cuts: (enum cut_which)which of: (const struct cut_pair *)pair
+- (BOOL) cuts: (enum cut_which)which of: (struct cut_pair *)pair
            in: (model_t *)model as: (struct cut *)branch;
 
 @end

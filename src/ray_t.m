@@ -170,6 +170,31 @@
 
 // Tracing
 
+- (BOOL) cutsFeeler: (struct k_vec)off
+{
+  return cut_feeler_is(&cut, off);
+}
+
+/** Whether light e from L is taken to arrive at the hit point, because it
+    makes too little of a difference. */
+- (BOOL) takesAsLit: (struct k_vec)Ns : (struct k_vec)L : (struct k_vec)e
+{
+  const struct k_vec black = k_vec(0, 0, 0);
+  material_t *m = hit.object->material;
+  BOOL is_mirror = !k_is_zero(m->specular);
+  struct k_vec lit = shade_lit(black, m->diffuse, e, k_dot(Ns, L));
+  struct k_vec shadow = shade_shadow(black, shade_ambient(m->ambient, dis));
+  struct k_vec off = cut_feeler_off(m->diffuse, is_mirror, m->alpha, lit,
+                                    shadow);
+
+  if (is_mirror)
+    {
+      off = shade_highlight(off, m->specular, e, Ns, L, k_neg(dir->v),
+                            m->shininess);
+    }
+  return [self cutsFeeler: off];
+}
+
 - (BOOL) sees: (light_t *)light in: (model_t *)model from: (vec_t *)P
              : (struct k_vec)Ns : (struct k_vec *)L : (struct k_vec *)e
 {
@@ -182,7 +207,9 @@
       return NO;
     }
   *e = shade_falloff(light->emissivity, r, light->falloff);
-  if (model->choice.no_shadows)
+  if (model->choice.no_shadows
+      || (cut_is_on(&model->cut) && model->cut.max_error > 0
+          && [self takesAsLit: Ns : *L : *e]))
     {
       return YES;
     }
@@ -197,7 +224,7 @@
 
 /** Whether a ray that would be spawned is not wanted, or not worth it; if not, *branch is
     what it is as a branch. */
-- (BOOL) cuts: (enum cut_which)which of: (const struct cut_pair *)pair
+- (BOOL) cuts: (enum cut_which)which of: (struct cut_pair *)pair
            in: (model_t *)model as: (struct cut *)branch
 {
   if (which == CUT_REFLECTED ? model->choice.no_reflection
@@ -205,7 +232,7 @@
     {
       return YES;
     }
-  return model->cut.is_on
+  return cut_is_on(&model->cut)
     && cut_is(&model->cut, &cut, pair, which, depth == model->max_depth,
               branch);
 }
@@ -298,6 +325,38 @@
   vec_t *N = [vec_t vec: hit.N];
   vec_t *Ns = [N dot: dir] < 0 ? N : [N scale: -1.0];
   struct k_vec V = k_neg(dir->v);
+
+  // One reflection ray serves the mirror and the transparent surface.
+  struct k_vec reflected = k_vec(0, 0, 0);
+  struct k_vec refracted = k_vec(0, 0, 0);
+  double R = 0;
+  media_t *inside = nil;
+  vec_t *t = nil;
+  struct cut_pair pair = { 0 };
+  struct cut branch = { 0 };
+
+  if (m->alpha > 0)
+    {
+      t = [self refractAt: Ns inside: &inside reflectance: &R of: model];
+    }
+  if (cut_is_on(&model->cut))
+    {
+      cut_pair(&pair, &model->cut, &cut, m->specular, m->alpha, R, depth + 1,
+               dis);
+    }
+  if ((is_mirror || R > 0)
+      && ![self cuts: CUT_REFLECTED of: &pair in: model as: &branch])
+    {
+      reflected = [self reflectionFrom: P : Ns in: model as: &branch];
+    }
+  if (m->alpha > 0 && R < 1
+      && ![self cuts: CUT_REFRACTED of: &pair in: model as: &branch])
+    {
+      refracted = [self refractionFrom: P : t in: model media: inside
+                                    as: &branch];
+    }
+
+  // Lights come last: their feelers get what the branches leave of the error.
   struct k_vec A = shade_ambient(m->ambient, dis);
   struct k_vec color = A;
   struct k_vec highlights = k_vec(0, 0, 0);
@@ -320,41 +379,12 @@
         }
     }
 
-  // One reflection ray serves the mirror and the transparent surface.
-  struct k_vec reflected = k_vec(0, 0, 0);
-  struct k_vec refracted = k_vec(0, 0, 0);
-  double R = 0;
-  media_t *inside = nil;
-  vec_t *t = nil;
-  struct cut_pair pair = { 0 };
-  struct cut branch = { 0 };
-
-  if (m->alpha > 0)
-    {
-      t = [self refractAt: Ns inside: &inside reflectance: &R of: model];
-    }
-  if (model->cut.is_on)
-    {
-      cut_pair(&pair, &model->cut, &cut, m->specular, m->alpha, R, depth + 1,
-               dis);
-    }
-  if ((is_mirror || R > 0)
-      && ![self cuts: CUT_REFLECTED of: &pair in: model as: &branch])
-    {
-      reflected = [self reflectionFrom: P : Ns in: model as: &branch];
-    }
   if (is_mirror)
     {
       color = shade_mirror(color, m->diffuse, m->specular, reflected);
     }
   if (m->alpha > 0)
     {
-      if (R < 1
-          && ![self cuts: CUT_REFRACTED of: &pair in: model as: &branch])
-        {
-          refracted = [self refractionFrom: P : t in: model media: inside
-                                        as: &branch];
-        }
       color = shade_blend(color, m->alpha, R, refracted, reflected);
     }
   return [vec_t vec: k_add(color, highlights)];

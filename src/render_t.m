@@ -67,6 +67,17 @@ struct bundle
   unsigned count;
 };
 
+/** Where errors of rays that are not traced are added up, or NULL. */
+static inline double *
+errors_of(const image_t *image)
+{
+#ifdef NO_CUTS
+  return NULL;                  // cut.h
+#else
+  return image->planes[PLANE_TRUNCATION];
+#endif
+}
+
 /** Traces a bundle and adds each colour to its pixel, in order. */
 static void
 trace(const render_t *self, struct bundle *bundle, struct counters *count)
@@ -80,7 +91,7 @@ trace(const render_t *self, struct bundle *bundle, struct counters *count)
       struct k_vec *color = &bundle->pixels[i]->color;
       *color = k_add(*color, rays[i].color);
     }
-  double *errors = self->image->planes[PLANE_TRUNCATION];
+  double *errors = errors_of(self->image);
   for (unsigned i = 0; errors && i < bundle->count; i++)
     {
       errors[bundle->pixels[i] - self->image->pixels] += rays[i].error;
@@ -163,7 +174,7 @@ add_all(const render_t *self, struct pixel *pixel, struct sample sample,
         {
           pixel->color = k_div(pixel->color, rays);
         }
-      for (unsigned x = w.x0; image->planes[PLANE_TRUNCATION] && x < w.x1; x++)
+      for (unsigned x = w.x0; errors_of(image) && x < w.x1; x++)
         {
           *[image plane: PLANE_TRUNCATION at: x : y] /= rays;
         }

@@ -13,6 +13,8 @@ struct seen_light
   struct k_vec L;       // direction to it
   struct k_vec e;       // lit: what arrives, with the falloff in it
   double r;             // lit: its distance
+  BOOL is_cut;          // lit, but not known to be: the feeler was not worth it
+  double loss;          // then how far off the pixel may be for that
   object_t *blocker;    // the object that hides it; nil: none, or the point
                         // has its back to the light or is in it
 };
@@ -20,6 +22,7 @@ struct seen_light
 /** What became of the reflected or the refracted ray. */
 struct seen_branch
 {
+  BOOL is_left_out;     // not wanted: --no-reflection, --no-refraction
   BOOL is_cut;          // not worth it: --min-weight, --max-error
   double loss;          // then the most that it could have brought
   witness_t *ray;       // nil: not traced
@@ -38,6 +41,8 @@ struct seen_branch
 @private
   witness_t *parent;            // not retained: it is traced while it is asked
   ray_t *feeler;                // the last one
+  BOOL is_feeler_cut;           // or it was not sent
+  double feeler_loss;
   unsigned light_count;
 }
 @end

@@ -46,6 +46,9 @@
     {
       seen.e = *e;
       seen.r = k_length(k_sub(light->location, P->v));
+      seen.is_cut = is_feeler_cut;
+      seen.loss = feeler_loss;
+      is_feeler_cut = NO;
     }
   if (feeler)
     {
@@ -58,6 +61,13 @@
     }
   lights[light_count++] = seen;
   return is_lit;
+}
+
+- (BOOL) cutsFeeler: (struct k_vec)off
+{
+  is_feeler_cut = [super cutsFeeler: off];
+  feeler_loss = cut_loss(cut.weight, off);
+  return is_feeler_cut;
 }
 
 - (vec_t *) refractAt: (vec_t *)Ns inside: (media_t **)inside
@@ -73,13 +83,16 @@
   return t;
 }
 
-- (BOOL) cuts: (enum cut_which)which of: (const struct cut_pair *)pair
+- (BOOL) cuts: (enum cut_which)which of: (struct cut_pair *)pair
            in: (model_t *)model as: (struct cut *)branch
 {
   BOOL is_cut = [super cuts: which of: pair in: model as: branch];
+  struct seen_branch *seen = &branches[which];
 
-  branches[which].is_cut = is_cut;
-  branches[which].loss = is_cut ? pair->loss[which] : 0;
+  seen->is_left_out = which == CUT_REFLECTED ? model->choice.no_reflection
+    : model->choice.no_refraction;
+  seen->is_cut = is_cut && !seen->is_left_out;
+  seen->loss = seen->is_cut ? pair->loss[which] : 0;
   return is_cut;
 }
 

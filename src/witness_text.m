@@ -144,11 +144,19 @@ tell_path(struct witness_text *to, witness_t *ray)
   tell_edges(to, ray);
 }
 
+/** What was not traced, and the most that the pixel is off for it. */
+static NSString *
+with_error(NSString *text, double error)
+{
+  return [text stringByAppendingFormat: @", pixel off by at most %@",
+               number(error)];
+}
+
 /** What one light gives, in the terms of shade.h: `local` is the weight of
     ambient and diffuse light, W that of highlights. */
 static void
 tell_light(struct witness_text *to, witness_t *ray, unsigned i,
-           struct k_vec local, struct k_vec W)
+           struct k_vec local, struct k_vec W, double share)
 {
   const struct k_vec black = k_vec(0, 0, 0);
   const struct seen_light *seen = &ray->lights[i];
@@ -168,8 +176,10 @@ tell_light(struct witness_text *to, witness_t *ray, unsigned i,
       return;
     }
   double n_dot_l = k_dot(Ns, seen->L);
-  tell(to, label, [NSString stringWithFormat: @"lit, r %@, Ns.L %@",
-                            number(seen->r), number(n_dot_l)]);
+  NSString *text = [NSString stringWithFormat: @"%@lit, r %@, Ns.L %@",
+                             seen->is_cut ? @"taken to be " : @"",
+                             number(seen->r), number(n_dot_l)];
+  tell(to, label, seen->is_cut ? with_error(text, seen->loss * share) : text);
   tell_term(to, @"  diffuse",
             shade_lit(black, m->diffuse, seen->e, n_dot_l), local);
   if (!k_is_zero(m->specular))
@@ -193,7 +203,8 @@ tell_branch(struct witness_text *to, NSString *label, witness_t *ray,
       tell_term(to, label, branch->ray->color, weight);
       return;
     }
-  NSString *why = branch->ray || ray->depth == model->max_depth
+  NSString *why = branch->is_left_out ? @"left out"
+    : branch->ray || ray->depth == model->max_depth
     ? @"black, too deep" : branch->is_cut ? @"cut" : nil;
   if (why == nil)
     {
@@ -201,8 +212,7 @@ tell_branch(struct witness_text *to, NSString *label, witness_t *ray,
     }
   if (branch->is_cut)
     {
-      why = [why stringByAppendingFormat: @", pixel lacks at most %@",
-                 number(branch->loss * share)];
+      why = with_error(why, branch->loss * share);
     }
   tell(to, label, [NSString stringWithFormat: @"%@, weight %@", why,
                             three(weight)]);
@@ -226,7 +236,7 @@ tell_terms(struct witness_text *to, witness_t *ray, NSString *name,
   tell_term(to, @"ambient", shade_ambient(m->ambient, ray->dis), local);
   for (unsigned i = 0; i < [to->model->lights count]; i++)
     {
-      tell_light(to, ray, i, local, W);
+      tell_light(to, ray, i, local, W, share);
     }
   if (alpha > 0)
     {

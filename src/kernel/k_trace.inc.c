@@ -12,7 +12,7 @@
 #include <alloca.h>
 
 /** A ray from where `ray` has hit something. */
-static inline void
+static inline __attribute__((always_inline)) void
 spawn(struct k_ray *child, const struct k_ray *ray, struct k_vec d,
       int through, const struct k_media *media)
 {
@@ -42,7 +42,7 @@ struct point
   struct cut_pair pair;         // branches are cut
 };
 
-static inline void
+static inline __attribute__((always_inline)) void
 point_start(const struct k_scene *scene, struct point *p, struct k_ray *ray)
 {
   const struct k_vec black = k_vec(0, 0, 0);
@@ -59,24 +59,45 @@ point_start(const struct k_scene *scene, struct point *p, struct k_ray *ray)
   p->R = 0;
 }
 
-/** A feeler to the light; 0 when the point turns its back to it. */
-static inline int
-feel(const struct point *p, const struct k_light *light, struct k_ray *feeler)
+/** Whether a point faces a light that is *r away in the direction *L. */
+static inline __attribute__((always_inline)) int
+faces(const struct point *p, const struct k_light *light, struct k_vec *L,
+      double *r)
 {
-  struct k_vec l = k_sub(light->location, p->ray->hit.P);
-  double r;
-  struct k_vec L = k_unit_length(l, &r);
+  *L = k_unit_length(k_sub(light->location, p->ray->hit.P), r);
+  return *r > 0 && k_dot(p->Ns, *L) > 0;
+}
 
-  if (!(r > 0 && k_dot(p->Ns, L) > 0))
-    {
-      return 0;
-    }
+/** The feeler to it. */
+static inline __attribute__((always_inline)) void
+feel(const struct point *p, const struct k_light *light, struct k_vec L,
+     double r, struct k_ray *feeler)
+{
   spawn(feeler, p->ray, L, 0, p->ray->media);
   feeler->is_feeler = 1;
   feeler->end = r;
   feeler->end_slack = 16 * K_U * (k_norm1(feeler->o)
                                   + k_norm1(light->location));
-  return 1;
+}
+
+/** Finds what is in the way of n feelers to one light. */
+static inline __attribute__((always_inline)) void
+find_blockers(const struct k_scene *scene, struct k_ray *feelers, unsigned n)
+{
+  if (n && !scene->settings.choice.no_shadows)
+    {
+      feelers->counters->feeler += n;
+      k_find_many(scene, feelers, n, 1);
+    }
+}
+
+/** The highlight of light e that arrives from L. */
+static inline __attribute__((always_inline)) struct k_vec
+highlight(const struct point *p, struct k_vec sum, struct k_vec e,
+          struct k_vec L)
+{
+  return shade_highlight(sum, p->m->specular, e, p->Ns, L, k_neg(p->ray->d),
+                         p->m->shininess);
 }
 
 /** Adds what one light gives to all points; `feelers` and `of` have room for
@@ -91,8 +112,11 @@ light_up(const struct k_scene *scene, const struct k_light *light,
   for (unsigned i = 0; i < count; i++)
     {
       struct point *p = &points[i];
-      if (feel(p, light, &feelers[n]))
+      struct k_vec L;
+      double r;
+      if (faces(p, light, &L, &r))
         {
+          feel(p, light, L, r, &feelers[n]);
           of[n++] = i;
         }
       else
@@ -100,15 +124,7 @@ light_up(const struct k_scene *scene, const struct k_light *light,
           p->color = shade_shadow(p->color, p->A);
         }
     }
-  if (n == 0)
-    {
-      return;
-    }
-  if (!scene->settings.choice.no_shadows)
-    {
-      feelers->counters->feeler += n;
-      k_find_many(scene, feelers, n, 1);
-    }
+  find_blockers(scene, feelers, n);
   for (unsigned j = 0; j < n; j++)
     {
       struct point *p = &points[of[j]];
@@ -123,9 +139,84 @@ light_up(const struct k_scene *scene, const struct k_light *light,
       p->color = shade_lit(p->color, p->m->diffuse, e, k_dot(p->Ns, L));
       if (p->is_mirror)
         {
-          p->highlights = shade_highlight(p->highlights, p->m->specular, e,
-                                          p->Ns, L, k_neg(p->ray->d),
-                                          p->m->shininess);
+          p->highlights = highlight(p, p->highlights, e, L);
+        }
+    }
+}
+
+/** What a light gives where it arrives. */
+struct arrival
+{
+  struct k_vec e, lit, highlight;       // no highlight until it is asked for
+};
+
+/** Whether a feeler is not worth it: -[ray_t takesAsLit:::]. */
+static inline __attribute__((always_inline)) int
+is_feeler_cut(struct point *p, struct k_vec L, struct arrival *a)
+{
+  struct k_vec off = cut_feeler_off(p->m->diffuse, p->is_mirror, p->m->alpha,
+                                    a->lit,
+                                    shade_shadow(k_vec(0, 0, 0), p->A));
+
+  if (!cut_is_left(p->cut, off))
+    {
+      return 0;
+    }
+  if (p->is_mirror)
+    {
+      a->highlight = highlight(p, a->highlight, a->e, L);
+      off = k_add(off, a->highlight);
+    }
+  return cut_feeler_is(p->cut, off);
+}
+
+/** light_up where feelers may be cut. */
+static inline void
+light_up_cut(const struct k_scene *scene, const struct k_light *light,
+             struct point *points, unsigned count, struct k_ray *feelers,
+             unsigned *of)
+{
+  const struct k_vec black = k_vec(0, 0, 0);
+  struct arrival arrivals[count];
+  unsigned n = 0;
+
+  for (unsigned i = 0; i < count; i++)
+    {
+      struct point *p = &points[i];
+      struct arrival *a = &arrivals[n];
+      struct k_vec L;
+      double r;
+      if (!faces(p, light, &L, &r))
+        {
+          p->color = shade_shadow(p->color, p->A);
+          continue;
+        }
+      a->e = shade_falloff(light->emissivity, r, light->falloff);
+      a->lit = shade_lit(black, p->m->diffuse, a->e, k_dot(p->Ns, L));
+      a->highlight = black;
+      if (is_feeler_cut(p, L, a))
+        {
+          p->color = k_add(p->color, a->lit);
+          p->highlights = k_add(p->highlights, a->highlight);
+          continue;
+        }
+      feel(p, light, L, r, &feelers[n]);
+      of[n++] = i;
+    }
+  find_blockers(scene, feelers, n);
+  for (unsigned j = 0; j < n; j++)
+    {
+      struct point *p = &points[of[j]];
+      if (feelers[j].hit.surface)
+        {
+          p->color = shade_shadow(p->color, p->A);
+          continue;
+        }
+      p->color = k_add(p->color, arrivals[j].lit);
+      if (p->is_mirror)
+        {
+          p->highlights = highlight(p, p->highlights, arrivals[j].e,
+                                    feelers[j].d);
         }
     }
 }
@@ -210,7 +301,7 @@ trace_children(const struct k_scene *scene, struct k_ray *children,
 
 /** Whether a ray that a point would spawn is not worth it: -[ray_t
     cuts:of:in:as:]. *cut is what it is cut as otherwise. */
-static inline int
+static inline __attribute__((always_inline)) int
 is_cut(const struct k_scene *scene, struct point *p, enum cut_which which,
        unsigned depth, struct cut *cut)
 {
@@ -287,7 +378,7 @@ refract_all(const struct k_scene *scene, struct point *points, unsigned count,
     }
 }
 
-static inline struct k_vec
+static inline __attribute__((always_inline)) struct k_vec
 point_color(const struct point *p)
 {
   struct k_vec color = p->color;
@@ -314,7 +405,7 @@ trace_either(const struct k_scene *scene, struct k_ray *rays, unsigned n,
   struct point points[n];
   struct k_ray children[n];
   unsigned of[n], count = 0;
-  int is_clear = 0;
+  int is_clear = 0, has_branches = 0;
 
   k_find_many(scene, rays, n, 0);
   for (unsigned i = 0; i < n; i++)
@@ -333,13 +424,19 @@ trace_either(const struct k_scene *scene, struct k_ray *rays, unsigned n,
                                                * sizeof(struct k_media)));
         }
       point_start(scene, &points[count], ray);
-      is_clear |= points[count++].m->alpha > 0;
+      if (cuts)
+        {
+          points[count].cut = &cuts[i];
+        }
+      is_clear |= points[count].m->alpha > 0;
+      has_branches |= points[count].is_mirror | is_clear;
+      count++;
     }
   if (count == 0)
     {
       return;
     }
-  for (uint32_t i = 0; i < scene->light_count; i++)
+  for (uint32_t i = 0; !cuts && i < scene->light_count; i++)
     {
       light_up(scene, &scene->lights[i], points, count, children, of);
     }
@@ -355,24 +452,30 @@ trace_either(const struct k_scene *scene, struct k_ray *rays, unsigned n,
                   ? alloca(k_media_depth(media) * sizeof *media) : NULL);
         }
     }
-  for (unsigned i = 0; cuts && i < count; i++)
+  for (unsigned i = 0; cuts && has_branches && i < count; i++)
     {
       struct point *p = &points[i];
       if (!p->is_mirror && p->m->alpha == 0)
         {
           continue;
         }
-      p->cut = &cuts[p->ray - rays];
       cut_pair(&p->pair, &scene->settings.cut, p->cut, p->m->specular,
                p->m->alpha, p->R, depth + 1, p->ray->dis);
     }
-  if (!scene->settings.choice.no_reflection)
+  if (has_branches && !scene->settings.choice.no_reflection)
     {
       reflect_all(scene, points, count, depth, children, of, cuts != NULL);
     }
   if (is_clear && !scene->settings.choice.no_refraction)
     {
       refract_all(scene, points, count, depth, children, of, cuts != NULL);
+    }
+  // With cuts last: feelers get what the branches leave of the error.
+  for (uint32_t i = 0; cuts && i < scene->light_count; i++)
+    {
+      (scene->settings.cut.max_error > 0 && !scene->settings.choice.no_shadows
+       ? light_up_cut : light_up)(scene, &scene->lights[i], points, count,
+                                  children, of);
     }
   for (unsigned i = 0; i < count; i++)
     {
@@ -426,7 +529,7 @@ trace_eye(const struct k_scene *scene, struct eye_ray *eye, unsigned n,
       k_ray_start(&rays[i], eye[i].o, eye[i].d, media ? media[i] : NULL,
                   counters);
     }
-  if (scene->settings.cut.is_on)
+  if (cut_is_on(&scene->settings.cut))
     {
       trace_eye_cut(scene, rays, eye, n, colors);
     }
