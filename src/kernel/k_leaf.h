@@ -83,7 +83,7 @@ k_sphere_ask(const struct k_sphere *sphere, struct k_ray *ray)
     }
 }
 
-static inline void
+static inline __attribute__((always_inline)) void
 k_plane_ask(const struct k_scene *scene, const struct k_flat *flat,
             struct k_ray *ray)
 {

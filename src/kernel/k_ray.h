@@ -199,7 +199,7 @@ k_meets(struct k_ray *ray, const struct k_surface *s, double t,
 }
 
 /** The same for something flat; the point waits. */
-static inline int
+static inline __attribute__((always_inline)) int
 k_meets_plane(struct k_ray *ray, const struct k_surface *s, double t,
               const struct k_plane *plane)
 {

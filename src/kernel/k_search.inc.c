@@ -287,7 +287,7 @@ k_tree_ask(const struct k_scene *scene, struct k_ray *ray)
 }
 
 /** Asks what is not in the tree. */
-static inline void
+static inline __attribute__((always_inline)) void
 k_ask_unbounded(const struct k_scene *scene, struct k_ray *ray)
 {
   k_assume_eye(ray);
