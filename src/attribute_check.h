@@ -15,16 +15,60 @@ attribute_is_named(const char *name, const char *asked)
 }
 
 /** How many values the attribute has. */
-unsigned attribute_values(const struct attribute *a);
+static inline unsigned
+attribute_values(const struct attribute *a)
+{
+  switch (a->kind)
+    {
+    case ATTRIBUTE_PAIR:
+    case ATTRIBUTE_WHOLE_PAIR:
+      return 2;
+    case ATTRIBUTE_POINT:
+    case ATTRIBUTE_VECTOR:
+    case ATTRIBUTE_COLOR:
+      return 3;
+    default:
+      return 1;
+    }
+}
 
 /** Whether its values are numbers; otherwise they are words. */
-BOOL attribute_is_numeric(const struct attribute *a);
+static inline BOOL
+attribute_is_numeric(const struct attribute *a)
+{
+  return a->kind != ATTRIBUTE_MATERIAL && a->kind != ATTRIBUTE_NAME
+    && a->kind != ATTRIBUTE_WORD;
+}
 
 /** Whether they are whole numbers, of digits only. */
-BOOL attribute_is_whole(const struct attribute *a);
+static inline BOOL
+attribute_is_whole(const struct attribute *a)
+{
+  return a->kind == ATTRIBUTE_WHOLE || a->kind == ATTRIBUTE_WHOLE_PAIR;
+}
 
 /** Whether a number is in the attribute's range. */
-BOOL attribute_allows(const struct attribute *a, double value);
+static inline BOOL
+attribute_allows(const struct attribute *a, double value)
+{
+  if (a->kind == ATTRIBUTE_COLOR && value < 0)
+    {
+      return NO;
+    }
+  switch (a->range)
+    {
+    case RANGE_POSITIVE:
+      return value > 0;
+    case RANGE_NOT_NEGATIVE:
+      return value >= 0;
+    case RANGE_BETWEEN:
+      return value >= a->least && value <= a->most;
+    case RANGE_STRICTLY_BETWEEN:
+      return value > a->least && value < a->most;
+    default:
+      return YES;
+    }
+}
 
 /** Whether a word is one of the attribute's words, or it has none. */
 BOOL attribute_allows_word(const struct attribute *a, struct token word);

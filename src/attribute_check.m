@@ -1,57 +1,5 @@
 #include "attribute_check.h"
 
-unsigned
-attribute_values(const struct attribute *a)
-{
-  switch (a->kind)
-    {
-    case ATTRIBUTE_PAIR:
-    case ATTRIBUTE_WHOLE_PAIR:
-      return 2;
-    case ATTRIBUTE_POINT:
-    case ATTRIBUTE_VECTOR:
-    case ATTRIBUTE_COLOR:
-      return 3;
-    default:
-      return 1;
-    }
-}
-
-BOOL
-attribute_is_numeric(const struct attribute *a)
-{
-  return a->kind != ATTRIBUTE_MATERIAL && a->kind != ATTRIBUTE_NAME
-    && a->kind != ATTRIBUTE_WORD;
-}
-
-BOOL
-attribute_is_whole(const struct attribute *a)
-{
-  return a->kind == ATTRIBUTE_WHOLE || a->kind == ATTRIBUTE_WHOLE_PAIR;
-}
-
-BOOL
-attribute_allows(const struct attribute *a, double value)
-{
-  if (a->kind == ATTRIBUTE_COLOR && value < 0)
-    {
-      return NO;
-    }
-  switch (a->range)
-    {
-    case RANGE_POSITIVE:
-      return value > 0;
-    case RANGE_NOT_NEGATIVE:
-      return value >= 0;
-    case RANGE_BETWEEN:
-      return value >= a->least && value <= a->most;
-    case RANGE_STRICTLY_BETWEEN:
-      return value > a->least && value < a->most;
-    default:
-      return YES;
-    }
-}
-
 NSArray *
 attribute_words(const struct attribute *a)
 {

@@ -37,15 +37,14 @@
   [super dealloc];
 }
 
-/** The object of a block (not autoreleased); nil if its class refuses it. */
-- (id) make: (unsigned)i of: (material_t *)material
+/** The object of the block that is shown (not autoreleased); nil if its class
+    refuses it. */
+static id
+make_shown(builder_t *self, Class class)
 {
-  [block show: i material: material];
+  id made = [[class alloc] initWithBlock: self->block];
 
-  id made = [[store->kinds[store->records[i].kind].class alloc]
-              initWithBlock: block];
-
-  if (block->is_refused)
+  if (self->block->is_refused)
     {
       [made release];
       return nil;
@@ -53,41 +52,55 @@
   return made;
 }
 
-/** The record of the material of that name, or NO_RECORD. */
-- (unsigned) find: (struct token)name
+/** The object of a block (not autoreleased); nil if its class refuses it. */
+static id
+make(builder_t *self, unsigned i, material_t *material)
 {
-  if (last_name.length == 0 || !token_is_same(name, last_name))
+  store_t *store = self->store;
+
+  [self->block show: i material: material];
+  return make_shown(self, store->kinds[store->records[i].kind].class);
+}
+
+/** The record of the material of that name, or NO_RECORD. */
+static unsigned
+find(builder_t *self, struct token name)
+{
+  if (self->last_name.length == 0 || !token_is_same(name, self->last_name))
     {
-      last_material = [store find: KIND_MATERIAL : name];
-      last_name = name;
-      last_name.length *= last_material != NO_RECORD;
+      self->last_material = [self->store find: KIND_MATERIAL : name];
+      self->last_name = name;
+      self->last_name.length *= self->last_material != NO_RECORD;
     }
-  return last_material;
+  return self->last_material;
 }
 
 /** The material of a record. A faulty one too: it was meant to be there. */
-- (material_t *) materialOf: (unsigned)i
+static material_t *
+material_of(builder_t *self, unsigned i)
 {
-  struct record *record = &store->records[i];
+  struct record *record = &self->store->records[i];
 
   if (record->number == 0)
     {
-      material_t *material = [self make: i of: nil];
-      grow((void **)&materials, material_count, &material_capacity,
-           sizeof *materials);
-      materials[material_count++] = material;
-      record->number = material_count;
-      [model->materials setObject: material forKey: material->name];
+      material_t *material = make(self, i, nil);
+      grow((void **)&self->materials, self->material_count,
+           &self->material_capacity, sizeof *self->materials);
+      self->materials[self->material_count++] = material;
+      record->number = self->material_count;
+      [self->model->materials setObject: material forKey: material->name];
       [material release];
     }
-  return materials[record->number - 1];
+  return self->materials[record->number - 1];
 }
 
 /** The material of an object, whose name is the value of its `material`. nil
     if it does not exist, or another that the object names; for that there is a
     fault when everything is read, unless it may be that of something else. */
-- (material_t *) materialFor: (struct record *)record isLast: (BOOL)is_last
+static material_t *
+material_for(builder_t *self, struct record *record, BOOL is_last)
 {
+  store_t *store = self->store;
   const struct attribute *table = store->kinds[record->kind].table;
   const struct given *given = &store->givens[record->given];
   material_t *material = nil;
@@ -102,52 +115,74 @@
         }
       struct value value = store->values[given[i].value];
       struct token name = { value.word, value.length };
-      unsigned found = [self find: name];
+      unsigned found = find(self, name);
       if (found != NO_RECORD)
         {
           store->records[found].is_used = YES;
           material = attribute_is_named(a->name, "material")
-            ? [self materialOf: found] : material;
+            ? material_of(self, found) : material;
           continue;
         }
       is_good = NO;
       if (is_last && !store->is_partial && !store->is_nameless
           && [store find: KIND_UNKNOWN : name] == NO_RECORD)
         {
-          [unknown refuse: value of: record];
+          [self->unknown refuse: value of: record];
         }
     }
   return is_good ? material : nil;
 }
 
 /** Gives the objects of the records up to this one their numbers. */
-- (void) numberUpTo: (unsigned)end
+static void
+number_up_to(builder_t *self, unsigned end)
 {
-  for (; numbered < end; numbered++)
+  for (; self->numbered < end; self->numbered++)
     {
-      if (store->records[numbered].kind >= KIND_SHAPES)
+      struct record *record = &self->store->records[self->numbered];
+      if (record->kind >= KIND_SHAPES)
         {
-          struct object_place place = [model keepPlace];
-          store->records[numbered].number = place.number;
-          store->records[numbered].index = place.index;
+          struct object_place place = [self->model keepPlace];
+          record->number = place.number;
+          record->index = place.index;
         }
     }
 }
 
-/** Adds an object to the model; now and then says how many more there will be,
-    if the text goes on like this. */
-- (void) add: (object_t *)object from: (unsigned)names_end
+/** Adds the object of a block to the model, or what the kernel has to know of
+    it. NO if its class refuses it. */
+static BOOL
+add(builder_t *self, unsigned i, material_t *material)
 {
-  unsigned count;
+  store_t *store = self->store;
+  Class class = store->kinds[store->records[i].kind].class;
 
-  if (![model addObject: object])
+  [self->block show: i material: material];
+  if ([self->model passOn: self->block of: class])
     {
-      [model->names forgetFrom: names_end];
+      return YES;
     }
-  count = model->object_count;
+
+  object_t *object = make_shown(self, class);
+
+  if (object)
+    {
+      [self->model addObject: object];
+      [object release];
+    }
+  return object != nil;
+}
+
+/** Now and then says how many more objects there will be, if the text goes on
+    like this. */
+static void
+foretell(builder_t *self)
+{
+  unsigned count = self->model->object_count;
+
   if (count >= FORETOLD_FROM && (count & (count - 1)) == 0)
     {
-      [model expect: count * (1.05 / [text partRead] - 1)];
+      [self->model expect: count * (1.05 / [self->text partRead] - 1)];
     }
 }
 
@@ -155,34 +190,28 @@
 {
   struct record *record = &store->records[i];
   material_t *material = record->kind < KIND_SHAPES || record->is_faulty ? nil
-    : [self materialFor: record isLast: NO];
+    : material_for(self, record, NO);
 
   if (material == nil)
     {
       return NO;
     }
-  [self numberUpTo: i];
-
-  unsigned names_end = [model->names end];
-  object_t *object = [self make: i of: material];
-
+  number_up_to(self, i);
   numbered = record->is_known ? i + 1 : i;
-  if (object == nil)
+  if (!add(self, i, material))
     {
-      store->is_sound = NO;
-      return YES;               // it will not be any better later
+      store->is_sound = NO;     // it will not be any better later
     }
-  [self add: object from: names_end];
-  [object release];
+  foretell(self);
   return YES;
 }
 
 - (void) makeObject: (unsigned)i
 {
   struct record *record = &store->records[i];
-  material_t *material = [self materialFor: record isLast: YES];
+  material_t *material = material_for(self, record, YES);
   object_t *object = material && !record->is_faulty
-    ? [self make: i of: material] : nil;
+    ? make(self, i, material) : nil;
 
   if (object == nil)
     {
@@ -196,7 +225,7 @@
 
 - (void) makeLight: (unsigned)i
 {
-  light_t *light = store->records[i].is_faulty ? nil : [self make: i of: nil];
+  light_t *light = store->records[i].is_faulty ? nil : make(self, i, nil);
 
   if (light)
     {
@@ -213,14 +242,14 @@
   model->background = store->background;
   if (camera != NO_RECORD && !store->records[camera].is_faulty)
     {
-      model->camera = [self make: camera of: nil];
+      model->camera = make(self, camera, nil);
     }
   if (!store->has_camera && !store->is_partial)
     {
       [diag fault: [text placeAt: [text endOfFirst]]
                  : @"expected a camera in the model, found none"];
     }
-  [self numberUpTo: store->record_count];
+  number_up_to(self, store->record_count);
   for (unsigned i = 0; i < store->record_count; i++)
     {
       unsigned kind = store->records[i].kind;
@@ -234,7 +263,7 @@
         }
       else if (kind == KIND_MATERIAL)
         {
-          [self materialOf: i];
+          material_of(self, i);
         }
     }
   if (store->is_sound && !store->is_partial)

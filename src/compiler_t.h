@@ -19,7 +19,10 @@
 /** With an empty scene. nil: no memory. */
 - (id) init;
 
-/** What the kernel has to know of a surface of the object. */
+/** What the kernel has to know of a surface of the object, or of an opaque one
+    that is not made. */
+- (struct k_surface) surfaceOf: (material_t *)material number: (unsigned)number
+                         slack: (double)slack;
 - (struct k_surface) surfaceOf: (object_t *)object;
 
 /** The kernel's number for what [object medium] is; 0 for nil. */
@@ -41,8 +44,14 @@
 /** NO if it did not. */
 - (BOOL) compile: (compiler_t *)compiler;
 
-/** Called before instances of the class are asked to compile:, up to so many,
-    to make room for them. The default does nothing. */
+/** Describes the object that initWithBlock: would make, with this number, and
+    whose material is opaque: it will not be made, since nobody else will ask
+    it. NO, as by default, if it has to be. */
++ (BOOL) compileBlock: (block_t *)block number: (unsigned)number
+                  for: (compiler_t *)compiler;
+
+/** Called before blocks of the class come to compileBlock:, up to so many, to
+    make room for them. The default does nothing. */
 + (void) prepare: (NSUInteger)count for: (compiler_t *)compiler;
 
 @end

@@ -8,6 +8,12 @@
   return NO;
 }
 
++ (BOOL) compileBlock: (block_t *)block number: (unsigned)number
+                  for: (compiler_t *)compiler
+{
+  return NO;
+}
+
 + (void) prepare: (NSUInteger)count for: (compiler_t *)compiler
 {
 }
@@ -91,19 +97,24 @@
   return object;
 }
 
-- (struct k_surface) surfaceOf: (object_t *)object
+- (struct k_surface) surfaceOf: (material_t *)material number: (unsigned)number
+                         slack: (double)slack
 {
-  material_t *material = object->material;
-
   if (material != last_material)
     {
       last_number = [self numberOf: material];
       last_material = material;
     }
 
-  struct k_surface s = { object->number, last_number, 0, object->slack };
+  return (struct k_surface){ number, last_number, 0, slack };
+}
 
-  if (material->alpha > 0)
+- (struct k_surface) surfaceOf: (object_t *)object
+{
+  struct k_surface s = [self surfaceOf: object->material
+                                number: object->number slack: object->slack];
+
+  if (object->material->alpha > 0)
     {
       s.medium = [self mediumOf: object];
     }

@@ -32,8 +32,16 @@
   return ray;
 }
 
+/** As a file may hold it. */
+static double
+finite_of(double c)
+{
+  return isnan(c) ? 0 : isinf(c) ? copysign(FLT_MAX, c) : c;
+}
+
 - (NSString *) textOf: (image_t *)image
 {
+  struct k_vec color = image->pixels->color;
   const double *errors = image->planes[PLANE_TRUNCATION];
   struct witness_text to = { [NSMutableString string], model, 0 };
   NSUInteger count = [rays count];
@@ -52,7 +60,8 @@
       [pool release];
     }
   [to.text appendFormat: @"\n"];
-  witness_tell_vec(&to, @"pixel", image->pixels->color);
+  witness_tell_vec(&to, @"pixel", k_vec(finite_of(color.x), finite_of(color.y),
+                                           finite_of(color.z)));
   if (errors)
     {
       witness_tell_number(&to, @"off at most", errors[0]);

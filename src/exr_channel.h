@@ -4,9 +4,10 @@
 #import "exr_t.h"
 #include <openexr.h>
 
-/** One channel: its name, the AOV it belongs to (0: always there), its type
-    and where its value is: in a pixel, in a surface_pixel or, of an AOV that
-    needs none, in the picture's plane of this number. */
+/** One channel: its name, the AOV it belongs to (0: the colour, always there),
+    its type and where its value is: the number of the colour's channel, or
+    where in a surface_pixel, or, of an AOV that needs no surfaces, the number
+    of the picture's plane. */
 struct exr_channel
 {
   const char *name;

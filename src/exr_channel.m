@@ -1,17 +1,16 @@
 // exr_channel.m
 
 #import "exr_channel.h"
-#include <float.h>
 #include <stddef.h>
 
 static const struct exr_channel channels[EXR_CHANNELS] =
 {
-  { "B", 0, EXR_PIXEL_FLOAT, offsetof(struct pixel, color.z) },
-  { "G", 0, EXR_PIXEL_FLOAT, offsetof(struct pixel, color.y) },
+  { "B", 0, EXR_PIXEL_FLOAT, 2 },
+  { "G", 0, EXR_PIXEL_FLOAT, 1 },
   { "N.X", AOV_NORMAL, EXR_PIXEL_FLOAT, offsetof(struct surface_pixel, N.x) },
   { "N.Y", AOV_NORMAL, EXR_PIXEL_FLOAT, offsetof(struct surface_pixel, N.y) },
   { "N.Z", AOV_NORMAL, EXR_PIXEL_FLOAT, offsetof(struct surface_pixel, N.z) },
-  { "R", 0, EXR_PIXEL_FLOAT, offsetof(struct pixel, color.x) },
+  { "R", 0, EXR_PIXEL_FLOAT, 0 },
   { "Z", AOV_DEPTH, EXR_PIXEL_FLOAT, offsetof(struct surface_pixel, depth) },
   { "error.sampling", AOV_SAMPLING, EXR_PIXEL_FLOAT, PLANE_SAMPLING },
   { "error.truncation", AOV_TRUNCATION, EXR_PIXEL_FLOAT, PLANE_TRUNCATION },
@@ -29,16 +28,6 @@ float_above(double d)
   return f < d && f < FLT_MAX ? nextafterf(f, FLT_MAX) : f;
 }
 
-static float
-float_of(double d)
-{
-  if (isnan(d))
-    {
-      return 0;
-    }
-  return d > FLT_MAX ? FLT_MAX : d < -FLT_MAX ? -FLT_MAX : (float)d;
-}
-
 unsigned
 exr_channels(const struct exr_channel *found[EXR_CHANNELS], unsigned aovs)
 {
@@ -54,47 +43,71 @@ exr_channels(const struct exr_channel *found[EXR_CHANNELS], unsigned aovs)
   return count;
 }
 
-void
-exr_channel_fill(union exr_value *values, const struct exr_channel *channel,
-                 image_t *image, unsigned y, unsigned height)
+/** Of the colour. */
+static void
+fill_color(union exr_value *values, size_t count, const float *from)
 {
-  unsigned x = image->window.x0;
-  size_t count = (size_t)[image width] * height;
-  size_t stride = sizeof(struct pixel);
-  const char *from = (const char *)[image pixelAt: x : y];
+  for (size_t i = 0; i < count; i++, from += 3)
+    {
+      values[i].number = *from;
+    }
+}
 
-  if (channel->aov && !(channel->aov & AOV_SURFACES))
+static void
+fill_plane(union exr_value *values, size_t count, const double *plane,
+           exr_pixel_type_t type)
+{
+  for (size_t i = 0; i < count; i++)
     {
-      const double *plane = [image plane: (enum plane)channel->offset
-                                      at: x : y];
-      for (size_t i = 0; i < count; i++)
+      if (type == EXR_PIXEL_UINT)
         {
-          if (channel->type == EXR_PIXEL_UINT)
-            {
-              values[i].whole = (uint32_t)plane[i];
-            }
-          else
-            {
-              values[i].number = float_above(plane[i]);
-            }
+          values[i].whole = (uint32_t)plane[i];
         }
-      return;
+      else
+        {
+          values[i].number = float_above(plane[i]);
+        }
     }
-  if (channel->aov)
+}
+
+/** Of what was hit, where the first one's value is at `from`. */
+static void
+fill_surface(union exr_value *values, size_t count, const char *from,
+             exr_pixel_type_t type)
+{
+  for (size_t i = 0; i < count; i++, from += sizeof(struct surface_pixel))
     {
-      stride = sizeof(struct surface_pixel);
-      from = (const char *)[image surfaceAt: x : y];
-    }
-  from += channel->offset;
-  for (size_t i = 0; i < count; i++, from += stride)
-    {
-      if (channel->type == EXR_PIXEL_UINT)
+      if (type == EXR_PIXEL_UINT)
         {
           values[i].whole = *(const uint32_t *)from;
         }
       else
         {
-          values[i].number = float_of(*(const double *)from);
+          values[i].number = image_float(*(const double *)from);
         }
+    }
+}
+
+void
+exr_channel_fill(union exr_value *values, const struct exr_channel *channel,
+                 image_t *image, unsigned y, unsigned height)
+{
+  unsigned x = image->window.x0;
+  size_t across = [image width], count = across * height;
+
+  if (channel->aov == 0)
+    {
+      fill_color(values, count, image->floats[(y - image->window.y0) * across]
+                 + channel->offset);
+    }
+  else if (channel->aov & AOV_SURFACES)
+    {
+      fill_surface(values, count, (const char *)[image surfaceAt: x : y]
+                   + channel->offset, channel->type);
+    }
+  else
+    {
+      fill_plane(values, count, [image plane: (enum plane)channel->offset
+                                          at: x : y], channel->type);
     }
 }

@@ -204,6 +204,7 @@ write_pixels(exr_context_t file, image_t *image, struct writing *writing)
   exr_context_t file = NULL;
   exr_result_t result, finished;
 
+  NSAssert(image->floats, @"the image does not keep floats");
   NSAssert(!(aovs & AOV_SURFACES) || image->surfaces,
            @"the image has no surfaces");
   writing.count = exr_channels(writing.channels, aovs);

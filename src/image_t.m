@@ -4,24 +4,24 @@
 #import "errors.h"
 #import "machine.h"
 #include "large.h"
-#include <float.h>
 #include <stdlib.h>
 
-static double
-made_finite(double c, NSUInteger *nanCount)
+static inline uint8_t
+byte_of(double c)
 {
-  if (isnan(c))
+  if (!(c > 0 && c < 1))
     {
-      *nanCount += 1;
-      return 0;
+      return c > 0 ? 255 : 0;
     }
-  return isinf(c) ? copysign(FLT_MAX, c) : c;
+  int whole = 255 * c;
+  return whole + (255 * c - whole >= 0.5);
 }
 
 @implementation image_t
 
 - (id) init: (unsigned)columnCount : (unsigned)rowCount
      window: (struct window)part
+       keep: (enum keep)keep
    surfaces: (BOOL)withSurfaces
       error: (NSError **)error
 {
@@ -37,18 +37,24 @@ made_finite(double c, NSUInteger *nanCount)
   rows = rowCount;
   window = part;
 
-  size_t each = sizeof *pixels + (withSurfaces ? sizeof *surfaces : 0);
+  size_t of_color = [image_t bytesOfPixel: keep];
+  size_t each = of_color + (withSurfaces ? sizeof *surfaces : 0);
   uint64_t count = (uint64_t)[self width] * [self height];
   double needed = (double)count * each; // may be past the largest integer
   double memory = machine_memory();
 
+  void *kept = NULL;
+
   if (needed <= memory)
     {
-      pixels = calloc(count, sizeof *pixels);
+      kept = calloc(count, of_color);
       surfaces = withSurfaces ? calloc(count, sizeof *surfaces) : NULL;
-      large_pages(pixels, count * sizeof *pixels);
+      large_pages(kept, count * of_color);
     }
-  if (pixels == NULL || (withSurfaces && surfaces == NULL))
+  pixels = keep == KEEP_DOUBLES ? kept : NULL;
+  floats = keep == KEEP_FLOATS ? kept : NULL;
+  bytes = keep == KEEP_BYTES ? kept : NULL;
+  if (kept == NULL || (withSurfaces && surfaces == NULL))
     {
       if (error)
         {
@@ -61,6 +67,22 @@ made_finite(double c, NSUInteger *nanCount)
       return nil;
     }
   return self;
+}
+
+- (id) init: (unsigned)columnCount : (unsigned)rowCount
+     window: (struct window)part
+   surfaces: (BOOL)withSurfaces
+      error: (NSError **)error
+{
+  return [self init: columnCount : rowCount window: part keep: KEEP_DOUBLES
+           surfaces: withSurfaces error: error];
+}
+
++ (size_t) bytesOfPixel: (enum keep)keep
+{
+  return keep == KEEP_DOUBLES ? sizeof *((image_t *)nil)->pixels
+    : keep == KEEP_FLOATS ? sizeof *((image_t *)nil)->floats
+    : sizeof *((image_t *)nil)->bytes;
 }
 
 - (BOOL) addPlane: (enum plane)plane error: (NSError **)error
@@ -84,6 +106,8 @@ made_finite(double c, NSUInteger *nanCount)
       free(planes[plane]);
     }
   free(pixels);
+  free(floats);
+  free(bytes);
   free(surfaces);
   [super dealloc];
 }
@@ -98,66 +122,75 @@ made_finite(double c, NSUInteger *nanCount)
   return window.y1 - window.y0;
 }
 
+static void
+put_floats(float (*to)[3], const struct k_vec *colors, unsigned count)
+{
+  for (unsigned i = 0; i < count; i++)
+    {
+      to[i][0] = image_float(colors[i].x);
+      to[i][1] = image_float(colors[i].y);
+      to[i][2] = image_float(colors[i].z);
+    }
+}
+
+static void
+put_bytes(uint8_t (*to)[3], const struct k_vec *colors, unsigned count)
+{
+  for (unsigned i = 0; i < count; i++)
+    {
+      to[i][0] = byte_of(colors[i].x);
+      to[i][1] = byte_of(colors[i].y);
+      to[i][2] = byte_of(colors[i].z);
+    }
+}
+
+- (void) put: (const struct k_vec *)colors : (unsigned)count
+          at: (unsigned)x : (unsigned)y
+{
+  size_t first = image_at(self, x, y);
+  NSUInteger nans = 0;
+
+  for (unsigned i = 0; i < count; i++)
+    {
+      nans += (isnan(colors[i].x) != 0) + (isnan(colors[i].y) != 0)
+        + (isnan(colors[i].z) != 0);
+    }
+  if (nans)
+    {
+      __atomic_fetch_add(&nanCount, nans, __ATOMIC_RELAXED);
+    }
+  if (bytes)
+    {
+      put_bytes(bytes + first, colors, count);
+    }
+  else if (floats)
+    {
+      put_floats(floats + first, colors, count);
+    }
+  else
+    {
+      memcpy(pixels + first, colors, count * sizeof *pixels);
+    }
+}
+
 - (struct pixel *) pixelAt: (unsigned)x : (unsigned)y
 {
-  return pixels + (size_t)(y - window.y0) * [self width] + (x - window.x0);
+  return pixels + image_at(self, x, y);
 }
 
 - (struct surface_pixel *) surfaceAt: (unsigned)x : (unsigned)y
 {
-  return surfaces + (size_t)(y - window.y0) * [self width] + (x - window.x0);
+  return surfaces + image_at(self, x, y);
 }
 
 - (double *) plane: (enum plane)plane at: (unsigned)x : (unsigned)y
 {
-  return planes[plane] + (size_t)(y - window.y0) * [self width]
-    + (x - window.x0);
-}
-
-- (NSUInteger) makeFinite
-{
-  NSUInteger nanCount = 0;
-  size_t count = (size_t)[self width] * [self height];
-
-  for (size_t i = 0; i < count; i++)
-    {
-      struct k_vec *color = &pixels[i].color;
-      color->x = made_finite(color->x, &nanCount);
-      color->y = made_finite(color->y, &nanCount);
-      color->z = made_finite(color->z, &nanCount);
-    }
-  return nanCount;
-}
-
-static inline uint8_t
-byte_of(double c)
-{
-  if (!(c > 0 && c < 1))
-    {
-      return c > 0 ? 255 : 0;
-    }
-  int whole = 255 * c;
-  return whole + (255 * c - whole >= 0.5);
+  return planes[plane] + image_at(self, x, y);
 }
 
 + (uint8_t) byte: (double)c
 {
   return byte_of(c);
-}
-
-- (NSData *) bytes
-{
-  size_t count = (size_t)[self width] * [self height];
-  NSMutableData *data = [NSMutableData dataWithLength: 3 * count];
-  uint8_t *byte = [data mutableBytes];
-
-  for (size_t i = 0; i < count; i++)
-    {
-      *byte++ = byte_of(pixels[i].color.x);
-      *byte++ = byte_of(pixels[i].color.y);
-      *byte++ = byte_of(pixels[i].color.z);
-    }
-  return data;
 }
 
 @end

@@ -356,6 +356,13 @@
   return YES;
 }
 
+/** The picture as what is written wants it. */
+- (enum keep) keep
+{
+  return [self explains] ? KEEP_DOUBLES
+    : options->format == FORMAT_EXR ? KEEP_FLOATS : KEEP_BYTES;
+}
+
 - (BOOL) trace: (NSError **)error
 {
   const struct settings *settings = &options->settings;
@@ -368,6 +375,7 @@
   image = [[image_t alloc] init: model->camera->columns
                                : model->camera->rows
                          window: window
+                           keep: [self keep]
                        surfaces: (settings->aovs & AOV_SURFACES) != 0
                           error: error];
   if (image == nil
@@ -424,7 +432,7 @@
   [bar release];
   stats->counters = render->counters;
   [render release];
-  nanCount = [image makeFinite];
+  nanCount = image->nanCount;
   if (settings->noise > 0)
     {
       stats->noise = noise_facts_of(image, settings->noise);

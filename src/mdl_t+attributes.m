@@ -18,7 +18,7 @@
     }
   else if ([self read: a into: values])
     {
-      [store give: a at: [self orderOf: t] values: values];
+      store_give(store, a, [self orderOf: t], values);
       state->last = a;
     }
   else

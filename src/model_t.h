@@ -8,7 +8,7 @@
 #include "eye_ray.h"
 #include "shade.h"
 
-@class camera_t, compiler_t, light_t, diag_t, names_t;
+@class block_t, camera_t, compiler_t, light_t, diag_t, names_t;
 
 /** How a polygon finds out whether a point is in it. */
 enum polygon_test
@@ -50,15 +50,16 @@ struct object_place
   unsigned clear_count;         // model_t+media.m
   unsigned clear_at_lens;       // the first ones: those that matter to eye
   struct k_bounds lens;         // rays, which start in this box
-  Class last_class;             // see passOn:, and its method compile: if its
-  BOOL (*last_compile)(id, SEL, compiler_t *);  // instances may be passed on
+  Class last_class;             // see passOn:of:, and its compileBlock:, if its
+                                // instances may be passed on
+  BOOL (*last_compile)(id, SEL, block_t *, unsigned, compiler_t *);
 }
 
 - (void) addLight: (light_t *)light;
 
 /** Adds an object and gives it its number, and its slack unless its class
-    has. NO if it was passed on. */
-- (BOOL) addObject: (object_t *)object;
+    has. */
+- (void) addObject: (object_t *)object;
 
 /** Keeps the next number, and a place in `objects`, for one that is put there
     later. */
@@ -89,10 +90,10 @@ struct object_place
 
 @interface model_t (Passing)
 
-/** With a compiler: an object that tells the kernel all there is to know of it,
-    and that nobody else will ask, is described at once and need not be kept. NO
-    if it has to be. */
-- (BOOL) passOn: (object_t *)object;
+/** With a compiler: an object whose class tells the kernel all there is to know
+    of it, and that nobody else will ask, gets its number and is not made. NO if
+    it has to be. */
+- (BOOL) passOn: (block_t *)block of: (Class)class;
 
 /** About so many more objects will follow, as the last one. */
 - (void) expect: (double)count;

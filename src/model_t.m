@@ -69,15 +69,10 @@ number_object(object_t *object, unsigned number)
     }
 }
 
-- (BOOL) addObject: (object_t *)object
+- (void) addObject: (object_t *)object
 {
   number_object(object, ++object_count);
-  if ([self passOn: object])
-    {
-      return NO;
-    }
   [objects addObject: object];
-  return YES;
 }
 
 - (struct object_place) keepPlace

@@ -14,10 +14,6 @@
 /** Adds a name; where it is. */
 - (unsigned) add: (struct token)name;
 
-/** Where the next name will be; forgets those from there on. */
-- (unsigned) end;
-- (void) forgetFrom: (unsigned)at;
-
 /** The name that was added there (autoreleased). */
 - (NSString *) nameAt: (unsigned)at;
 

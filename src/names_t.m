@@ -23,16 +23,6 @@
   return at;
 }
 
-- (unsigned) end
-{
-  return length;
-}
-
-- (void) forgetFrom: (unsigned)at
-{
-  length = at;
-}
-
 - (NSString *) nameAt: (unsigned)at
 {
   return [NSString stringWithUTF8String: text + at];

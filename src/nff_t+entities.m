@@ -24,8 +24,10 @@
   return record;
 }
 
-- (void) give: (const char *)name : (const struct value *)values
+void
+nff_give(nff_t *self, const char *name, const struct value *values)
 {
+  store_t *store = self->store;
   unsigned kind = store->records[store->record_count - 1].kind;
   const struct attribute *a = store->kinds[kind].table;
 
@@ -33,7 +35,7 @@
     {
       a++;
     }
-  [store give: a at: values[0].order values: values];
+  store_give(store, a, values[0].order, values);
 }
 
 - (struct value) valueOf: (struct token)word

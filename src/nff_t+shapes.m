@@ -68,11 +68,11 @@
     {
       return NO;
     }
-  [self give: "diffuse" : values[0]];
-  [self give: "specular" : specular];
-  [self give: "shininess" : values[3]];
-  [self give: "alpha" : T];
-  [self give: "ior" : index];
+  nff_give(self, "diffuse", values[0]);
+  nff_give(self, "specular", specular);
+  nff_give(self, "shininess", values[3]);
+  nff_give(self, "alpha", T);
+  nff_give(self, "ior", index);
   return YES;
 }
 
@@ -88,14 +88,13 @@
 }
 
 /** Adds the block of a shape and its material. */
-- (struct record *) beginShape: (const char *)word : (const char *)prefix
+- (struct record *) beginShape: (unsigned)kind : (const char *)prefix
                               : (unsigned)number
 {
-  struct token t = { word, strlen(word) };
-  struct record *record = [self begin: [store kindFor: t] : prefix : number];
+  struct record *record = [self begin: kind : prefix : number];
   struct value material = [self valueOf: fill];
 
-  [self give: "material" : &material];
+  nff_give(self, "material", &material);
   return record;
 }
 
@@ -115,9 +114,11 @@
     }
   if (has_fill)
     {
-      [self beginShape: "sphere" : "s" : spheres];
-      [self give: "center" : xyz];
-      [self give: "radius" : &r];
+      sphere_kind = sphere_kind ? sphere_kind
+        : [store kindFor: (struct token){ "sphere", 6 }];
+      [self beginShape: sphere_kind : "s" : spheres];
+      nff_give(self, "center", xyz);
+      nff_give(self, "radius", &r);
       [store end];
     }
   return YES;
@@ -146,14 +147,17 @@
       return NO;
     }
 
-  struct record *record = [self beginShape: "polygon" : "p" : polygons];
+  polygon_kind = polygon_kind ? polygon_kind
+    : [store kindFor: (struct token){ "polygon", 7 }];
+
+  struct record *record = [self beginShape: polygon_kind : "p" : polygons];
   struct nff_face face = {
     .record = store->record_count - 1, .fill = fills, .alpha = alpha,
     .ior = ior, .count = (unsigned)n.number
   };
 
   solid = [self valueOf: letter];
-  [self give: "solid" : &solid];
+  nff_give(self, "solid", &solid);
   face.vertex = store->value_count;
   for (unsigned i = 0; i < face.count; i++)
     {
@@ -163,7 +167,7 @@
           record->is_faulty = YES;
           return NO;
         }
-      [self give: "vertex" : xyz];
+      nff_give(self, "vertex", xyz);
     }
   grow((void **)&faces, face_count, &face_capacity, sizeof face);
   faces[face_count++] = face;

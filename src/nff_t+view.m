@@ -112,7 +112,7 @@ missing(uint64_t given)
         {
           if (names[i])
             {
-              [self give: names[i] : values[i]];
+              nff_give(self, names[i], values[i]);
             }
         }
     }
@@ -165,15 +165,15 @@ missing(uint64_t given)
     }
   falloff.number = 0;
   [self begin: KIND_LIGHT : "l" : lights];
-  [self give: "location" : xyz];
+  nff_give(self, "location", xyz);
   if (!has_color)
     {
       grow((void **)&plain_lights, plain_light_count, &plain_light_capacity,
            sizeof *plain_lights);
       plain_lights[plain_light_count++] = store->value_count;
     }
-  [self give: "emissivity" : rgb];
-  [self give: "falloff" : &falloff];
+  nff_give(self, "emissivity", rgb);
+  nff_give(self, "falloff", &falloff);
   return YES;
 }
 

@@ -11,6 +11,7 @@
   struct token fill;            // name of the last f; of length 0: none yet
   double alpha, ior;            // of that
   unsigned fills, lights, spheres, polygons;
+  unsigned sphere_kind, polygon_kind;   // of their blocks; 0: not looked up yet
   BOOL lacks_fill;              // this was said, or follows from a fault
   unsigned *plain_lights;       // values that depend on the number of lights
   unsigned plain_light_count, plain_light_capacity;
@@ -38,9 +39,6 @@
 - (struct record *) begin: (unsigned)kind : (const char *)prefix
                          : (unsigned)number;
 
-/** Gives that block an attribute, which stands where its first value does. */
-- (void) give: (const char *)attribute : (const struct value *)values;
-
 /** A word as a value, which stands where the letter does. */
 - (struct value) valueOf: (struct token)word;
 
@@ -48,6 +46,10 @@
 - (const char *) at: (const struct value *)value;
 
 @end
+
+/** Gives the last block an attribute, which stands where its first value
+    does. */
+void nff_give(nff_t *nff, const char *attribute, const struct value *values);
 
 /** The entities that are not shapes. */
 @interface nff_t (view)

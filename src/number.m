@@ -2,52 +2,8 @@
 #include "number.h"
 #include <errno.h>
 #include <math.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
-
-const char *
-number_read_short(const char *p, double *value)
-{
-  static const double powers[] = {
-    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13,
-    1e14, 1e15, 1e16, 1e17
-  };
-  int is_negative = *p == '-';
-  uint64_t whole = 0;
-
-  p += *p == '-' || *p == '+';
-
-  const char *start = p, *point = NULL;
-
-  for (; p - start <= 17; p++)
-    {
-      unsigned digit = (unsigned char)*p - '0';
-      if (digit <= 9)
-        {
-          whole = 10 * whole + digit;
-        }
-      else if (*p == '.' && point == NULL)
-        {
-          point = p;
-        }
-      else
-        {
-          break;
-        }
-    }
-
-  int decimals = point ? p - point - 1 : 0;
-
-  if (p - start > 17 || p - start == (point != NULL)
-      || whole > (uint64_t)1 << 53)
-    {
-      return NULL;
-    }
-  double magnitude = whole / powers[decimals];
-  *value = is_negative ? -magnitude : magnitude;
-  return p;
-}
 
 enum number_result
 number_range(double value)

@@ -122,8 +122,9 @@
         depth + 1, depth == 0 ? "" : "s"];
   [text appendFormat: @"left out  %@\n", [self leftOut: &f of: model]];
   [text appendFormat: @"memory    %zu bytes for the scene, %" PRIu64
-        " for the picture\n", f.bytes,
-        pixels * (uint64_t)sizeof(struct pixel)];
+        " for a picture of 8 bits, %" PRIu64 " for an .exr\n", f.bytes,
+        pixels * [image_t bytesOfPixel: KEEP_BYTES],
+        pixels * [image_t bytesOfPixel: KEEP_FLOATS]];
   [text appendFormat: @"rays      about %.2g: %.2g eye, %.2g reflection,"
         @" %.2g refraction, %.2g feeler\n", each * counters_rays(&c),
         each * c.eye, each * c.reflection, each * c.refraction,

@@ -35,10 +35,9 @@ ignore(png_structp png, png_const_charp message)
 }
 
 static void
-write_picture(png_structp png, png_infop info, image_t *image,
-              const png_byte *bytes)
+write_picture(png_structp png, png_infop info, image_t *image)
 {
-  size_t stride = 3 * (size_t)[image width];
+  size_t across = [image width];
   png_text text;
 
   png_set_IHDR(png, info, [image width], [image height], 8,
@@ -57,7 +56,7 @@ write_picture(png_structp png, png_infop info, image_t *image,
   png_write_info(png, info);
   for (unsigned y = 0; y < [image height]; y++)
     {
-      png_write_row(png, bytes + y * stride);
+      png_write_row(png, image->bytes[y * across]);
     }
   png_write_end(png, info);
 }
@@ -67,7 +66,6 @@ write_picture(png_structp png, png_infop info, image_t *image,
 + (NSData *) fileOf: (image_t *)image error: (NSError **)error
 {
   NSMutableData *file = [NSMutableData data];
-  NSData *bytes = [image bytes];
   NSError *failure = nil;
   NSError **failureAt = &failure;
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, failureAt,
@@ -75,6 +73,7 @@ write_picture(png_structp png, png_infop info, image_t *image,
   png_infop info = png ? png_create_info_struct(png) : NULL;
   volatile BOOL isDone = NO;
 
+  NSAssert(image->bytes, @"the image does not keep bytes");
   if (info == NULL)
     {
       failure = error_saying(STATUS_FILE, @"libpng: not enough memory");
@@ -82,7 +81,7 @@ write_picture(png_structp png, png_infop info, image_t *image,
   else if (setjmp(png_jmpbuf(png)) == 0)
     {
       png_set_write_fn(png, file, append, flush);
-      write_picture(png, info, image, [bytes bytes]);
+      write_picture(png, info, image);
       isDone = YES;
     }
   png_destroy_write_struct(&png, &info);

@@ -11,7 +11,9 @@
   NSData *ascii = [header dataUsingEncoding: NSASCIIStringEncoding];
   NSMutableData *file = [NSMutableData dataWithData: ascii];
 
-  [file appendData: [image bytes]];
+  NSAssert(image->bytes, @"the image does not keep bytes");
+  [file appendBytes: image->bytes
+             length: sizeof *image->bytes * [image width] * [image height]];
   return file;
 }
 

@@ -145,9 +145,12 @@ next_number(struct cursor *cursor, BOOL is_whole, locale_t c,
     : number_read(t->at, t->length, c, value);
 }
 
-- (BOOL) readNumbers: (const struct attribute *)a into: (struct value *)values
+/** The same for numbers only. */
+static BOOL
+read_numbers(reader_t *self, const struct attribute *a, struct value *values)
 {
   BOOL is_good = YES, is_zero = YES, is_whole = attribute_is_whole(a);
+  text_t *text = self->text;
   const char *first = NULL;
 
   for (unsigned i = 0, n = attribute_values(a); i < n; i++)
@@ -156,7 +159,7 @@ next_number(struct cursor *cursor, BOOL is_whole, locale_t c,
       struct cursor here = text->cursor;
       struct token t;
       enum number_result result
-        = next_number(&text->cursor, is_whole, c_locale, &t, value);
+        = next_number(&text->cursor, is_whole, self->c_locale, &t, value);
 
       if (result == NUMBER_NONE && (!token_is_word(t) || [self endsValues: t]))
         {
@@ -229,7 +232,7 @@ next_number(struct cursor *cursor, BOOL is_whole, locale_t c,
 
 - (BOOL) read: (const struct attribute *)a into: (struct value *)values
 {
-  return attribute_is_numeric(a) ? [self readNumbers: a into: values]
+  return attribute_is_numeric(a) ? read_numbers(self, a, values)
     : [self readWord: a into: values];
 }
 

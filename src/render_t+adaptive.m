@@ -72,8 +72,9 @@ trace(const render_t *self, struct adaptive_bundle *bundle,
              at: (unsigned)x : (unsigned)y
 {
   double rays = (double)BATCHES * b->length;
+  struct k_vec color = batches_mean(b);
 
-  [image pixelAt: x : y]->color = batches_mean(b);
+  [image put: &color : 1 at: x : y];
   *[image plane: PLANE_SAMPLES at: x : y] = rays;
   // A pixel that is infinite, or no number, has no error that is.
   *[image plane: PLANE_SAMPLING at: x : y] = error < HUGE_VAL ? error

@@ -48,7 +48,7 @@ enum { TILE_SIDE = 16, ACROSS = 8, DOWN = EYE_RAYS / ACROSS };
               ray_places_begin(places, sample.column, sample.row, 0);
               ray_places_set(places, ray, &sample);
             }
-          at[n] = [image pixelAt: x : y] - image->pixels;
+          at[n] = image_at(image, x, y);
           samples[n++] = sample;
         }
     }
@@ -123,38 +123,27 @@ enum { TILE_SIDE = 16, ACROSS = 8, DOWN = EYE_RAYS / ACROSS };
   return tiles_done == tile_count;
 }
 
-/** Gives tiles that are not there the colours of the last one before them that
-    is, column by column of the tile; black where there is none. */
-- (void) fillTiles
+/** The picture of a pass. Tiles that are not there get the colours of the last
+    one before them that is, column by column of the tile; black where there is
+    none. */
+- (void) putTiles
 {
-  size_t count = (size_t)[image width] * [image height];
   unsigned last = 0;
 
-  for (size_t i = 0; i < count; i++)
-    {
-      image->pixels[i].color = pass[i];
-    }
   for (unsigned tile = 0; tile < tile_count; tile++)
     {
-      if (tile_is_there[tile])
-        {
-          last = tile;
-          continue;
-        }
+      last = tile_is_there[tile] ? tile : last;
       struct window w = [self windowOf: tile], v = [self windowOf: last];
       for (unsigned y = w.y0; y < w.y1; y++)
         {
-          for (unsigned x = w.x0; x < w.x1; x++)
+          struct k_vec row[TILE_SIDE] = { { 0, 0, 0 } };
+          for (unsigned x = w.x0; tile_is_there[last] && x < w.x1; x++)
             {
               unsigned from_x = MIN(v.x0 + (x - w.x0), v.x1 - 1);
               unsigned from_y = MIN(v.y0 + (y - w.y0), v.y1 - 1);
-              struct k_vec color = k_vec(0, 0, 0);
-              if (tile_is_there[last])
-                {
-                  color = [image pixelAt: from_x : from_y]->color;
-                }
-              [image pixelAt: x : y]->color = color;
+              row[x - w.x0] = pass[image_at(image, from_x, from_y)];
             }
+          [image put: row : w.x1 - w.x0 at: w.x0 : y];
         }
     }
 }
@@ -166,14 +155,11 @@ enum { TILE_SIDE = 16, ACROSS = 8, DOWN = EYE_RAYS / ACROSS };
 
   pass = new_array(count, sizeof *pass);
   tile_is_there = new_array(tile_count, 1);
-  if (![self onePass])
+  BOOL is_complete = [self onePass];
+  [self putTiles];
+  if (!is_complete)
     {
-      [self fillTiles];
       return;
-    }
-  for (size_t i = 0; i < count; i++)
-    {
-      image->pixels[i].color = pass[i];
     }
   struct k_vec *sums = new_array(count, sizeof *sums);
   for (passes = 1; passes < UINT32_MAX && [self onePass]; passes++)
@@ -184,10 +170,17 @@ enum { TILE_SIDE = 16, ACROSS = 8, DOWN = EYE_RAYS / ACROSS };
         }
       rays = passes;
     }
-  // Two rays are the least that are a picture of many.
+  // Two rays are the least that are a picture of many; it is instead of that of
+  // the first pass.
+  image->nanCount = rays > 1 ? 0 : image->nanCount;
   for (size_t i = 0; rays > 1 && i < count; i++)
     {
-      image->pixels[i].color = k_div(sums[i], (double)rays);
+      sums[i] = k_div(sums[i], (double)rays);
+    }
+  for (unsigned y = image->window.y0; rays > 1 && y < image->window.y1; y++)
+    {
+      [image put: &sums[image_at(image, image->window.x0, y)] : [image width]
+              at: image->window.x0 : y];
     }
   passes = rays > 1 ? rays : 1;
   free(sums);

@@ -59,26 +59,29 @@
   [super dealloc];
 }
 
-/** Rays that are to be traced together, and the pixels they are of. */
+/** Rays that are to be traced together, of the pixels of one block; what has
+    come back for each of these. Only when all has, it goes into the picture. */
 struct bundle
 {
   struct sample samples[EYE_RAYS];
-  struct pixel *pixels[EYE_RAYS];
+  unsigned char pixels[EYE_RAYS];       // whose ray it is
   unsigned count;
+  struct k_vec colors[EYE_RAYS];        // sums, pixel by pixel
+  double errors[EYE_RAYS];              // likewise; if anybody asks
 };
 
-/** Where errors of rays that are not traced are added up, or NULL. */
-static inline double *
-errors_of(const image_t *image)
+/** Whether errors of rays that are not traced are added up. */
+static inline BOOL
+has_errors(const image_t *image)
 {
 #ifdef NO_CUTS
-  return NULL;                  // cut.h
+  return NO;                    // cut.h
 #else
-  return image->planes[PLANE_TRUNCATION];
+  return image->planes[PLANE_TRUNCATION] != NULL;
 #endif
 }
 
-/** Traces a bundle and adds each colour to its pixel, in order. */
+/** Traces a bundle and adds each colour to its pixel's, in order. */
 static void
 trace(const render_t *self, struct bundle *bundle, struct counters *count)
 {
@@ -88,19 +91,18 @@ trace(const render_t *self, struct bundle *bundle, struct counters *count)
   [self->engine trace: rays : bundle->count counters: count];
   for (unsigned i = 0; i < bundle->count; i++)
     {
-      struct k_vec *color = &bundle->pixels[i]->color;
+      struct k_vec *color = &bundle->colors[bundle->pixels[i]];
       *color = k_add(*color, rays[i].color);
     }
-  double *errors = errors_of(self->image);
-  for (unsigned i = 0; errors && i < bundle->count; i++)
+  for (unsigned i = 0; has_errors(self->image) && i < bundle->count; i++)
     {
-      errors[bundle->pixels[i] - self->image->pixels] += rays[i].error;
+      bundle->errors[bundle->pixels[i]] += rays[i].error;
     }
   bundle->count = 0;
 }
 
 static inline void
-add(const render_t *self, struct pixel *pixel, const struct sample *sample,
+add(const render_t *self, unsigned pixel, const struct sample *sample,
     struct bundle *bundle, struct counters *count)
 {
   bundle->samples[bundle->count] = *sample;
@@ -113,7 +115,7 @@ add(const render_t *self, struct pixel *pixel, const struct sample *sample,
 
 /** All rays of a pixel go into the bundle. */
 static inline void
-add_all(const render_t *self, struct pixel *pixel, struct sample sample,
+add_all(const render_t *self, unsigned pixel, struct sample sample,
         struct ray_places *places, struct bundle *bundle,
         struct counters *count)
 {
@@ -144,39 +146,41 @@ add_all(const render_t *self, struct pixel *pixel, struct sample sample,
   return places;
 }
 
-/** The pixels of a window, which is at most a tile; each colour is the mean of
+/** The pixels of a window, which is at most a block; each colour is the mean of
     all its rays. */
 - (void) pixelsOf: (struct window)w counters: (struct counters *)count
 {
   struct ray_places places = [self places];
   double rays = (double)places.rays;
+  unsigned across = w.x1 - w.x0, pixels = across * (w.y1 - w.y0), pixel = 0;
+  double *errors = image->planes[PLANE_TRUNCATION];
   struct bundle bundle;
 
+  NSAssert(pixels <= EYE_RAYS, @"a block of pixels is too large");
   bundle.count = 0;
+  memset(bundle.colors, 0, sizeof bundle.colors);
+  memset(bundle.errors, 0, sizeof bundle.errors);
   for (unsigned y = w.y0; y < w.y1; y++)
     {
-      struct pixel *row = [image pixelAt: w.x0 : y];
-      for (unsigned x = w.x0; x < w.x1; x++)
+      for (unsigned x = w.x0; x < w.x1; x++, pixel++)
         {
           struct sample sample = { .column = x, .row = image->rows - 1 - y };
-          struct pixel *pixel = row + (x - w.x0);
-          // Written before it is read: a page of the picture that is read first
-          // comes twice, and stops the other threads when it is written.
-          pixel->color = k_vec(0, 0, 0);
           add_all(self, pixel, sample, &places, &bundle, count);
         }
     }
   trace(self, &bundle, count);
-  for (unsigned y = w.y0; rays > 1 && y < w.y1; y++)
+  for (unsigned i = 0; rays > 1 && i < pixels; i++)
     {
-      struct pixel *pixel = [image pixelAt: w.x0 : y];
-      for (unsigned x = w.x0; x < w.x1; x++, pixel++)
+      bundle.colors[i] = k_div(bundle.colors[i], rays);
+      bundle.errors[i] /= rays;
+    }
+  for (unsigned y = w.y0, i = 0; y < w.y1; y++, i += across)
+    {
+      [image put: &bundle.colors[i] : across at: w.x0 : y];
+      if (errors)
         {
-          pixel->color = k_div(pixel->color, rays);
-        }
-      for (unsigned x = w.x0; errors_of(image) && x < w.x1; x++)
-        {
-          *[image plane: PLANE_TRUNCATION at: x : y] /= rays;
+          memcpy(&errors[image_at(image, w.x0, y)], &bundle.errors[i],
+                 across * sizeof *errors);
         }
     }
 }

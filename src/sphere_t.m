@@ -18,13 +18,20 @@
   return table;
 }
 
+/** Of its centre and radius. */
+static double
+slack_of(struct k_vec center, double radius)
+{
+  return 16 * K_U * (k_norm1(center) + radius);
+}
+
 - (id) initWithBlock: (block_t *)block
 {
   if ((self = [super initWithBlock: block]))
     {
       center = [block vector: "center" at: 0];
       radius = [block number: "radius" at: 0];
-      slack = 16 * K_U * (k_norm1(center) + radius);
+      slack = slack_of(center, radius);
     }
   return self;
 }
@@ -105,6 +112,18 @@
 - (BOOL) compile: (compiler_t *)compiler
 {
   k_add_sphere(compiler->scene, [compiler surfaceOf: self], center, radius);
+  return YES;
+}
+
++ (BOOL) compileBlock: (block_t *)block number: (unsigned)number
+                  for: (compiler_t *)compiler
+{
+  struct k_vec center = [block vector: "center" at: 0];
+  double radius = [block number: "radius" at: 0];
+  struct k_surface s = [compiler surfaceOf: [block material] number: number
+                                     slack: slack_of(center, radius)];
+
+  k_add_sphere(compiler->scene, s, center, radius);
   return YES;
 }
 

@@ -104,10 +104,6 @@ struct record
 - (struct record *) begin: (unsigned)kind at: (unsigned)order
                      name: (struct token)name at: (unsigned)name_order;
 
-/** Adds an attribute with its values to the last record. */
-- (void) give: (const struct attribute *)a at: (unsigned)order
-       values: (const struct value *)some;
-
 /** Says that all of the last record is there. If it is an object that can be
     made now, it is, and its values are given back; so is the record if it is
     not known by its name. */
@@ -132,3 +128,7 @@ struct record
 - (struct token) make: (const char *)prefix : (unsigned)number;
 
 @end
+
+/** Adds an attribute with its values to the last record. */
+void store_give(store_t *store, const struct attribute *a, unsigned order,
+                const struct value *values);

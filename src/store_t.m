@@ -121,21 +121,28 @@ is_identifier(struct token word)
   return &records[record_count++];
 }
 
-- (void) give: (const struct attribute *)a at: (unsigned)order
-       values: (const struct value *)some
+void
+store_give(store_t *self, const struct attribute *a, unsigned order,
+           const struct value *values)
 {
-  struct record *record = &records[record_count - 1];
+  struct record *record = &self->records[self->record_count - 1];
+  unsigned n = attribute_values(a);
   struct given given = {
-    (unsigned)(a - kinds[record->kind].table), order, value_count
+    (unsigned)(a - self->kinds[record->kind].table), order, self->value_count
   };
 
-  grow((void **)&givens, given_count, &given_capacity, sizeof given);
-  givens[given_count++] = given;
+  grow((void **)&self->givens, self->given_count, &self->given_capacity,
+       sizeof given);
+  self->givens[self->given_count++] = given;
   record->given_count++;
-  for (unsigned i = 0, n = attribute_values(a); i < n; i++)
+  while (self->value_capacity - self->value_count < n)
     {
-      grow((void **)&values, value_count, &value_capacity, sizeof *values);
-      values[value_count++] = some[i];
+      grow((void **)&self->values, self->value_capacity,
+           &self->value_capacity, sizeof *values);
+    }
+  for (unsigned i = 0; i < n; i++)
+    {
+      self->values[self->value_count++] = values[i];
     }
 }
 

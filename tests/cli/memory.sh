@@ -34,10 +34,17 @@ until [ "$(limited $least --version | head -c 1)" = 0 ]; do
   least=$((least + 1000))
 done
 
-same "$(limited $((least + 60000)) pin.mdl -r 4000x4000 -o x.ppm)" \
-  "4 raytrace: not enough memory for 4000 x 4000 pixels: they take 384000000 \
+# too_large FILE BYTES: what such a picture takes, as that file wants it.
+too_large()
+{
+  same "$(limited $((least + 60000)) pin.mdl -r 9000x9000 -o "$1")" \
+    "4 raytrace: not enough memory for 9000 x 9000 pixels: they take $2 \
 bytes, and the program may have $(((least + 60000) * 1024)) in all" \
-  "a picture that is too large"
+    "a picture that is too large: $1"
+}
+too_large x.ppm 243000000
+too_large x.png 243000000
+too_large x.exr 972000000
 
 # From too little to enough.
 odd='' enough=0

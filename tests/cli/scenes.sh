@@ -70,6 +70,8 @@ line "tree      1 node, 1 deep"
 line "left out  shadow feelers (no light); mirror rays and highlights \
 (nothing specular); refraction and media (nothing transparent); the \
 polygons' view along each ray (no polygon); lens samples (pinhole)"
+pass "the plan says what a picture takes" grep -qE '^memory    [0-9]+ bytes for'\
+' the scene, 144 for a picture of 8 bits, 576 for an \.exr$' plan.txt
 line "rays      about 48: 48 eye, 0 reflection, 0 refraction, 0 feeler"
 line "threads   3, instructions base"
 

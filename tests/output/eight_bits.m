@@ -11,14 +11,15 @@ static image_t *
 sample_image(struct window window)
 {
   image_t *image = [[[image_t alloc] init: 50 : 40 window: window
-                                 surfaces: NO error: NULL] autorelease];
+                                     keep: KEEP_BYTES surfaces: NO
+                                    error: NULL] autorelease];
 
   for (unsigned y = window.y0; y < window.y1; y++)
     {
       for (unsigned x = window.x0; x < window.x1; x++)
         {
-          [image pixelAt: x : y]->color = k_vec(x / 40.0, y / 50.0 - 0.2,
-                                                (x ^ y) / 64.0);
+          struct k_vec color = k_vec(x / 40.0, y / 50.0 - 0.2, (x ^ y) / 64.0);
+          [image put: &color : 1 at: x : y];
         }
     }
   return image;
@@ -33,8 +34,8 @@ test_ppm(image_t *image)
 
   PASS([file length] == length + 3 * 33 * 27, "a PPM of the right length");
   PASS(memcmp([file bytes], header, length) == 0, "the header of P6");
-  PASS(memcmp((char *)[file bytes] + length, [[image bytes] bytes],
-              3 * 33 * 27) == 0, "then the pixels");
+  PASS(memcmp((char *)[file bytes] + length, image->bytes, 3 * 33 * 27) == 0,
+       "then the pixels");
   PASS([file isEqual: [ppm_t fileOf: image]],
        "the same picture gives the same PPM");
 }
@@ -58,7 +59,7 @@ test_png(image_t *image)
   reader.format = PNG_FORMAT_RGB;
   PASS(png_image_finish_read(&reader, NULL, pixels, 0, NULL),
        "libpng reads its pixels");
-  PASS(memcmp(pixels, [[image bytes] bytes], sizeof pixels) == 0,
+  PASS(memcmp(pixels, image->bytes, sizeof pixels) == 0,
        "every pixel is as it was");
 }
 
@@ -98,7 +99,8 @@ test_failure(void)
 {
   struct window window = { 0, 0, 1000001, 1 };
   image_t *image = [[[image_t alloc] init: 1000001 : 1 window: window
-                                 surfaces: NO error: NULL] autorelease];
+                                     keep: KEEP_BYTES surfaces: NO
+                                    error: NULL] autorelease];
   NSError *error = nil;
 
   PASS([png_t fileOf: image error: &error] == nil,

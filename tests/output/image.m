@@ -1,5 +1,6 @@
-// The picture in memory: where its pixels are, what becomes of numbers that
-// no file may hold, how 8-bit values are rounded, what is too large.
+// The picture in memory: where its pixels are, how they are kept, what becomes
+// of numbers that no file may hold, how 8-bit values are rounded, what is too
+// large.
 
 #import "errors.h"
 #import "image_t.h"
@@ -33,30 +34,53 @@ test_pixels(void)
        "no surfaces unless asked for");
 }
 
+static image_t *
+kept(unsigned columns, struct window window, enum keep keep, NSError **error)
+{
+  return [[[image_t alloc] init: columns : window.y1 window: window keep: keep
+                       surfaces: NO error: error] autorelease];
+}
+
 static void
 test_finite(void)
 {
-  struct window window = { 0, 0, 2, 1 };
-  image_t *image = image_of(2, 1, window, NO, NULL);
+  struct window window = { 3, 2, 5, 4 };
+  image_t *doubles = kept(6, window, KEEP_DOUBLES, NULL);
+  image_t *floats = kept(6, window, KEEP_FLOATS, NULL);
+  image_t *bytes = kept(6, window, KEEP_BYTES, NULL);
+  image_t *images[] = { doubles, floats, bytes };
+  const struct k_vec colors[] = { k_vec(NAN, INFINITY, -INFINITY),
+                                  k_vec(-NAN, 1e300, -2) };
 
-  image->pixels[0].color = k_vec(NAN, INFINITY, -INFINITY);
-  image->pixels[1].color = k_vec(-NAN, 1e300, -2);
-  PASS([image makeFinite] == 2, "NaNs are counted");
-  PASS_BITS(image->pixels[0].color.x, 0, "NaN becomes 0");
-  PASS_BITS(image->pixels[1].color.x, 0, "-NaN becomes 0");
-  PASS_BITS(image->pixels[0].color.y, FLT_MAX,
-            "infinity becomes the largest float");
-  PASS_BITS(image->pixels[0].color.z, -FLT_MAX, "so does -infinity");
-  PASS_BITS(image->pixels[1].color.y, 1e300, "what is finite stays");
-  PASS_BITS(image->pixels[1].color.z, -2, "what is negative stays");
-  PASS([image makeFinite] == 0, "a second time there is nothing to do");
+  for (int i = 0; i < 3; i++)
+    {
+      [images[i] put: &colors[1] : 1 at: 4 : 2];
+      PASS(images[i]->nanCount == 1, "a NaN is counted");
+      [images[i] put: colors : 2 at: 3 : 3];
+      PASS(images[i]->nanCount == 3, "NaNs are counted");
+    }
+  PASS(memcmp(doubles->pixels + 2, colors, sizeof colors) == 0
+       && memcmp(doubles->pixels + 1, colors + 1, sizeof *colors) == 0,
+       "doubles are kept as they are");
+  float (*f)[3] = floats->floats + 2;
+  PASS(f[0][0] == 0 && !signbit(f[0][0]), "NaN becomes 0");
+  PASS(f[1][0] == 0 && !signbit(f[1][0]), "-NaN becomes 0");
+  PASS(f[0][1] == FLT_MAX, "infinity becomes the largest float");
+  PASS(f[0][2] == -FLT_MAX, "so does -infinity");
+  PASS(f[1][1] == FLT_MAX, "and what is past it");
+  PASS(f[1][2] == -2, "what is negative stays");
+  PASS(floats->floats[0][0] == 0 && floats->floats[1][1] == FLT_MAX,
+       "the row before is one of its own");
+  PASS(memcmp(bytes->bytes, "\0\0\0\0\377\0\0\377\0\0\377\0", 12) == 0,
+       "bytes: NaN is 0, infinity 255");
 }
 
 static void
 test_bytes(void)
 {
   struct window window = { 0, 0, 2, 1 };
-  image_t *image = image_of(2, 1, window, NO, NULL);
+  image_t *image = kept(2, window, KEEP_BYTES, NULL);
+  const struct k_vec colors[] = { k_vec(0, 0.2, 0.4), k_vec(0.6, 0.8, 1) };
   int wrong = 0;
 
   for (int i = 0; i <= 255; i++)
@@ -72,9 +96,9 @@ test_bytes(void)
   PASS([image_t byte: 2] == 255 && [image_t byte: INFINITY] == 255,
        "more than 1 is 255");
   PASS([image_t byte: NAN] == 0, "NaN is 0");
-  image->pixels[0].color = k_vec(0, 0.2, 0.4);
-  image->pixels[1].color = k_vec(0.6, 0.8, 1);
-  PASS(memcmp([[image bytes] bytes], "\0\x33\x66\x99\xcc\xff", 6) == 0,
+  PASS(memcmp(image->bytes, "\0\0\0\0\0\0", 6) == 0, "black at first");
+  [image put: colors : 2 at: 0 : 0];
+  PASS(memcmp(image->bytes, "\0\x33\x66\x99\xcc\xff", 6) == 0,
        "red, green, blue, pixel after pixel");
 }
 
@@ -91,6 +115,14 @@ test_memory(void)
   PASS([error_text(error) hasPrefix: @"not enough memory for 1000000 x "
          @"1000000 pixels: they take 24000000000000 bytes, and the program may"],
        "and a message with the size: %s", [error_text(error) UTF8String]);
+  error = nil;
+  PASS(kept(1000000, whole, KEEP_FLOATS, &error) == nil
+       && [error_text(error) rangeOfString: @" 12000000000000 "].length,
+       "so are floats, which are half of that");
+  error = nil;
+  PASS(kept(1000000, whole, KEEP_BYTES, &error) == nil
+       && [error_text(error) rangeOfString: @" 3000000000000 "].length,
+       "and bytes, an eighth");
   error = nil;
   PASS(image_of(4294967295u, 4294967295u, largest, YES, &error) == nil
        && error, "a size past 2^64 bytes is refused");

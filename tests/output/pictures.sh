@@ -128,8 +128,8 @@ if has oiiotool; then
     grep -qE ' 340282346[0-9]{30}\.0* 0\.0* 0\.0* 0\.0* 0\.0*$' <<<"$corner"
 fi
 
-"$RAYTRACE" pin.mdl -r 100000x100000 -o large.ppm 2>err.txt
-same "$? $(grep -c 'not enough memory for 100000 x 100000 pixels' err.txt)" \
+"$RAYTRACE" pin.mdl -r 1000000x1000000 -o large.ppm 2>err.txt
+same "$? $(grep -c 'not enough memory for 1000000 x 1000000 pixels' err.txt)" \
   "4 1" "a picture larger than the memory"
 pass "leaves no file" test ! -e large.ppm
 test_done

@@ -94,7 +94,7 @@ is_finite(model_t *model)
   struct render_options options = support_render_options();
   image_t *image = support_picture(model, options);
 
-  return [image makeFinite] == 0;
+  return image->nanCount == 0;
 }
 
 static void

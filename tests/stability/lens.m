@@ -45,7 +45,7 @@ static void
 test_D02(void)
 {
   image_t *image = seen("focus 7 fstop 1e-6 exposure 16");
-  PASS([image makeFinite] == 0, "D02 a lens a million times the scene");
+  PASS(image->nanCount == 0, "D02 a lens a million times the scene");
 }
 
 static void
@@ -90,7 +90,7 @@ static void
 test_D05(void)
 {
   image_t *image = seen("focus 6.5 fstop 2 exposure 8");
-  PASS([image makeFinite] == 0, "D05 focus inside an object: finite");
+  PASS(image->nanCount == 0, "D05 focus inside an object: finite");
 }
 
 /** A half plane at half the focus covers the disc of blur up to `off` of its
