@@ -7,6 +7,7 @@
 // what is hit: shaft and boxes have margins for all that is rounded.
 
 #include "k_search.inc.c"
+#include "k_leaf_many.inc.c"
 
 // Fewer rays than this are not worth a shaft.
 #define FEW 8
@@ -51,6 +52,7 @@ struct k_beam
   union k_lanes near_o[3], far_o[3];    // as in k_float_ray
   union k_lanes t_most;
   struct k_shaft shaft;
+  struct k_many many;
 };
 
 static inline float
@@ -83,8 +85,40 @@ f8_abs(f8 a)
   return f8_max(f8_sub(f8_all(0), a), a);
 }
 
-/** The rays as floats, in the tree's coordinates; lanes without a ray are like
-    the first. 0: one comes from too far. */
+/** How far a ray looks still; -1: it wants nothing. */
+static inline double
+k_beam_reach(const struct k_ray *ray)
+{
+  return ray->is_feeler && ray->hit.surface ? -1 : k_ray_reach(ray);
+}
+
+/** Four rays from number i on; after the last, the first again, which then
+    wants nothing. */
+static inline void
+k_beam_take_four(struct k_beam *beam, const struct k_scene *scene, unsigned i)
+{
+  struct k_many *many = &beam->many;
+  const double *from[4], *to[4];
+
+  for (unsigned j = 0; j < 4; j++)
+    {
+      const struct k_ray *ray = &beam->rays[i + j < beam->n ? i + j : 0];
+      from[j] = &ray->o.x;
+      to[j] = &ray->d.x;
+      many->reach[i + j] = i + j < beam->n ? k_beam_reach(ray) : -1;
+      many->from |= ray->from ? 1ull << (ray->from->number & 63) : 0;
+      many->slack[i + j] = ray->from ? ray->slack : -HUGE_VAL;
+      many->end_slack[i + j] = ray->end_slack;
+    }
+  d4_turn_four(from, &many->o[0][i], &many->o[1][i], &many->o[2][i]);
+  d4_turn_four(to, &many->d[0][i], &many->d[1][i], &many->d[2][i]);
+  f4 t_most = d4_to_f4(d4_mul(d4_load(&many->reach[i]),
+                              d4_all(scene->tree.scale)));
+  f4_store(&beam->t_most.of[i], f4_mul(t_most, f4_all(REACH_MORE)));
+}
+
+/** The rays as doubles and as floats, in the tree's coordinates; lanes without
+    a ray are like the first. 0: one comes from too far. */
 static inline int
 k_beam_start(struct k_beam *beam, const struct k_scene *scene,
              struct k_ray *rays, unsigned n)
@@ -96,18 +130,17 @@ k_beam_start(struct k_beam *beam, const struct k_scene *scene,
   beam->rays = rays;
   beam->n = n;
   beam->groups = (n + 7) / 8;
+  beam->many.from = 0;
   for (unsigned i = 0; i < 8u * beam->groups; i += 4)
     {
-      f4 from[4], to[4];
-      for (unsigned j = 0; j < 4; j++)
+      k_beam_take_four(beam, scene, i);
+      for (int axis = 0; axis < 3; axis++)
         {
-          const struct k_ray *ray = &rays[i + j < n ? i + j : 0];
-          from[j] = k_float_o(tree, ray);
-          to[j] = k_float_d(ray);
-          beam->t_most.of[i + j] = i + j < n ? k_reach_float(scene, ray) : -1;
+          d4 from = d4_sub(d4_load(&beam->many.o[axis][i]),
+                           d4_all(k_component(tree->center, axis)));
+          f4_store(&o[axis][i], d4_to_f4(d4_mul(from, d4_all(tree->scale))));
+          f4_store(&d[axis][i], d4_to_f4(d4_load(&beam->many.d[axis][i])));
         }
-      f4_turn_four(from, &o[0][i], &o[1][i], &o[2][i]);
-      f4_turn_four(to, &d[0][i], &d[1][i], &d[2][i]);
     }
   beam->is_from_one = 1;
   for EACH_GROUP (g, beam)
@@ -242,6 +275,10 @@ k_shaft_start(struct k_beam *beam, const struct k_scene *scene,
   shaft->y = y;
   shaft->z_near = rises ? z : z + 3;
   shaft->z_far = rises ? z + 3 : z;
+  if (scene->polygon_count)
+    {
+      k_many_shear(&beam->many, 8u * beam->groups, x, y, z);
+    }
   k_shaft_planes(beam, 0, x, z, one);
   k_shaft_planes(beam, 2, y, z, one);
   float least = one ? shaft->sign * from[z]
@@ -352,21 +389,69 @@ k_lane(struct k_float_ray *f, const struct k_beam *beam, unsigned i)
     }
 }
 
-/** Asks the shapes of a leaf, or of all below a node, for one ray alone. */
+/** Ray i has hit something: how far it looks now. */
 static inline void
-k_ask_alone(const struct k_scene *scene, const struct k_beam *beam,
-            unsigned i, uint32_t child)
+k_beam_told(struct k_beam *beam, const struct k_scene *scene, unsigned i)
 {
-  if (child & K_LEAF)
+  const struct k_ray *ray = &beam->rays[i];
+
+  beam->many.reach[i] = k_beam_reach(ray);
+  beam->t_most.of[i] = ray->is_feeler ? -1 : k_reach_float(scene, ray);
+}
+
+/** Asks all shapes below a node, for one ray after the other. Bit by bit: who
+    has hit something. */
+static inline uint32_t
+k_beam_ask_alone(const struct k_scene *scene, struct k_beam *beam,
+                 uint32_t lanes, uint32_t node)
+{
+  uint32_t hits = 0;
+
+  for (; lanes; lanes &= lanes - 1)
     {
-      k_leaf_ask(scene, &beam->rays[i], child);
-    }
-  else
-    {
+      unsigned i = __builtin_ctz(lanes);
+      double t = beam->rays[i].hit.t;
       struct k_float_ray f;
       k_lane(&f, beam, i);
-      k_tree_walk(scene, &beam->rays[i], &f, child);
+      k_tree_walk(scene, &beam->rays[i], &f, node);
+      if (beam->rays[i].hit.t < t)
+        {
+          hits |= 1u << i;
+          k_beam_told(beam, scene, i);
+        }
     }
+  return hits;
+}
+
+/** The same for the shapes of a leaf: one after the other, for all rays. */
+static inline uint32_t
+k_beam_ask_leaf(const struct k_scene *scene, struct k_beam *beam,
+                uint32_t lanes, uint32_t leaf, int is_feeler)
+{
+  const struct k_ref *ref = &scene->tree.refs[(leaf & ~K_LEAF) >> 3];
+  unsigned n = (leaf & 7) + 1;
+  uint32_t hits = 0;
+
+  beam->rays->counters->tests += n * __builtin_popcount(lanes);
+  for (; n && lanes; n--, ref++)
+    {
+      struct k_told told = k_ref_many(scene, *ref, &beam->many, beam->rays,
+                                      lanes, is_feeler);
+      for (uint32_t left = told.others; left; left &= left - 1)
+        {
+          unsigned i = __builtin_ctz(left);
+          double t = beam->rays[i].hit.t;
+          k_ref_ask(scene, *ref, &beam->rays[i]);
+          told.hits |= (uint32_t)(beam->rays[i].hit.t < t) << i;
+        }
+      for (uint32_t left = told.hits; left; left &= left - 1)
+        {
+          k_beam_told(beam, scene, __builtin_ctz(left));
+        }
+      hits |= told.hits;
+      lanes &= is_feeler ? ~hits : ~0u;
+    }
+  return hits;
 }
 
 static inline void
@@ -410,22 +495,11 @@ k_beam_ask(const struct k_scene *scene, struct k_beam *beam, int is_feeler)
               at = child;
               break;
             }
-          int is_nearer = 0;
-          for (; lanes; lanes &= lanes - 1)
-            {
-              unsigned i = __builtin_ctz(lanes);
-              struct k_ray *ray = &beam->rays[i];
-              double t = ray->hit.t;
-              k_ask_alone(scene, beam, i, child);
-              if (ray->hit.t < t)
-                {
-                  is_nearer = 1;
-                  beam->t_most.of[i] = is_feeler ? -1
-                    : k_reach_float(scene, ray);
-                  live &= ~(1u << i);
-                }
-            }
-          if (is_nearer && live == 0)
+          uint32_t hits_now = child & K_LEAF
+            ? k_beam_ask_leaf(scene, beam, lanes, child, is_feeler)
+            : k_beam_ask_alone(scene, beam, lanes, child);
+          live &= ~hits_now;
+          if (hits_now && live == 0)
             {
               if (is_feeler)
                 {
@@ -445,9 +519,7 @@ k_find_many(const struct k_scene *scene, struct k_ray *rays, unsigned n,
 {
   struct k_beam beam;
 
-  if (n < FEW || !scene->tree.nodes
-      || !k_beam_start(&beam, scene, rays, n)
-      || !k_shaft_start(&beam, scene, is_feeler))
+  if (n < FEW || !scene->tree.nodes)
     {
       for (unsigned i = 0; i < n; i++)
         {
@@ -458,8 +530,18 @@ k_find_many(const struct k_scene *scene, struct k_ray *rays, unsigned n,
   for (unsigned i = 0; i < n; i++)
     {
       k_ask_unbounded(scene, &rays[i]);
-      beam.t_most.of[i] = is_feeler && rays[i].hit.surface ? -1
-        : k_reach_float(scene, &rays[i]);
     }
-  k_beam_ask(scene, &beam, is_feeler);
+  if (k_beam_start(&beam, scene, rays, n)
+      && k_shaft_start(&beam, scene, is_feeler))
+    {
+      k_beam_ask(scene, &beam, is_feeler);
+      return;
+    }
+  for (unsigned i = 0; i < n; i++)
+    {
+      if (!(is_feeler && rays[i].hit.surface))
+        {
+          k_tree_ask(scene, &rays[i]);
+        }
+    }
 }

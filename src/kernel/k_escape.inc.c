@@ -19,7 +19,7 @@ finish_hit(struct k_ray *ray)
   else if (hit->finish == K_FINISH_SPHERE)
     {
       hit->N = k_unit(hit->N);
-      hit->P = k_along(hit->center, hit->radius, hit->N);
+      hit->P = k_along(hit->sphere->center, hit->sphere->radius, hit->N);
     }
   hit->finish = K_FINISHED;
 }

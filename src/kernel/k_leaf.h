@@ -46,8 +46,7 @@ k_sphere_root(const struct k_sphere *sphere, struct k_ray *ray, double t,
           ray->hit.N = v;
           ray->hit.finish = K_FINISH_SPHERE;
           ray->hit.is_compensated = is_compensated;
-          ray->hit.center = sphere->center;
-          ray->hit.radius = sphere->radius;
+          ray->hit.sphere = sphere;
         }
       return;
     }

@@ -12,8 +12,10 @@ enum k_finish
 {
   K_FINISHED,           // they are there
   K_FINISH_PLANE,       // P on the plane, N its normal
-  K_FINISH_SPHERE       // N along N as it stands, P from it
+  K_FINISH_SPHERE       // on the sphere, N along N as it stands
 };
+
+struct k_sphere;
 
 struct k_hit
 {
@@ -23,8 +25,7 @@ struct k_hit
   enum k_finish finish;
   int is_compensated;                   // as in ray_t's struct hit
   const struct k_plane *plane;          // K_FINISH_PLANE
-  struct k_vec center;                  // K_FINISH_SPHERE
-  double radius;
+  const struct k_sphere *sphere;        // K_FINISH_SPHERE
 };
 
 struct k_ray

@@ -22,11 +22,14 @@
 // A reciprocal is never taken larger: so flat a ray leaves no box sideways.
 #define STEEP 0x1p60f
 
+// More than rounding to floats takes from a length.
+#define REACH_MORE 0x1.000002p0f
+
 /** Beyond what a ray is interested in, in the tree's coordinates. */
 static inline float
 k_reach_float(const struct k_scene *scene, const struct k_ray *ray)
 {
-  return (float)(k_ray_reach(ray) * scene->tree.scale) * 0x1.000002p0f;
+  return (float)(k_ray_reach(ray) * scene->tree.scale) * REACH_MORE;
 }
 
 /** Where a ray starts, in the tree's coordinates, and where it goes, as floats:

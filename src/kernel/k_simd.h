@@ -9,6 +9,7 @@
 
 // Four floats, for building the tree.
 
+#include <math.h>
 #include <stdint.h>
 
 #if defined(__SSE2__)
@@ -160,7 +161,8 @@ f4_abs(f4 a)
   return f4_max(f4_sub(f4_all(0), a), a);
 }
 
-// Four doubles, for polygons: the same arithmetic as one, in each lane.
+// Four doubles, for the corners of a polygon, and for a shape that four rays ask:
+// the same arithmetic as one, in each lane.
 
 #if defined(__AVX2__)
 
@@ -170,11 +172,15 @@ typedef __m256d d4;
 
 static inline d4 d4_load(const double *p) { return _mm256_loadu_pd(p); }
 static inline d4 d4_all(double x) { return _mm256_set1_pd(x); }
+static inline void d4_store(double *p, d4 a) { _mm256_storeu_pd(p, a); }
+static inline d4 d4_add(d4 a, d4 b) { return _mm256_add_pd(a, b); }
 static inline d4 d4_sub(d4 a, d4 b) { return _mm256_sub_pd(a, b); }
 static inline d4 d4_mul(d4 a, d4 b) { return _mm256_mul_pd(a, b); }
+static inline d4 d4_div(d4 a, d4 b) { return _mm256_div_pd(a, b); }
+static inline d4 d4_sqrt(d4 a) { return _mm256_sqrt_pd(a); }
 static inline f4 d4_to_f4(d4 a) { return _mm256_cvtpd_ps(a); }
 
-/** Bit i: a[i] >= b[i]; a[i] > b[i]. */
+/** Bit i: a[i] >= b[i]; a[i] > b[i]; 0 where one is not a number. */
 static inline unsigned
 d4_ge(d4 a, d4 b)
 {
@@ -205,6 +211,19 @@ d4_all(double x)
   return D4(_mm_set1_pd(x), _mm_set1_pd(x));
 }
 
+static inline void
+d4_store(double *p, d4 a)
+{
+  _mm_storeu_pd(p, a.l);
+  _mm_storeu_pd(p + 2, a.h);
+}
+
+static inline d4
+d4_add(d4 a, d4 b)
+{
+  return D4(_mm_add_pd(a.l, b.l), _mm_add_pd(a.h, b.h));
+}
+
 static inline d4
 d4_sub(d4 a, d4 b)
 {
@@ -215,6 +234,18 @@ static inline d4
 d4_mul(d4 a, d4 b)
 {
   return D4(_mm_mul_pd(a.l, b.l), _mm_mul_pd(a.h, b.h));
+}
+
+static inline d4
+d4_div(d4 a, d4 b)
+{
+  return D4(_mm_div_pd(a.l, b.l), _mm_div_pd(a.h, b.h));
+}
+
+static inline d4
+d4_sqrt(d4 a)
+{
+  return D4(_mm_sqrt_pd(a.l), _mm_sqrt_pd(a.h));
 }
 
 static inline f4
@@ -249,13 +280,68 @@ typedef struct { double x[4]; } d4;
 
 static inline d4 d4_load(const double *p) { D4_EACH(p[i]); }
 static inline d4 d4_all(double x) { D4_EACH(x); }
+static inline d4 d4_add(d4 a, d4 b) { D4_EACH(a.x[i] + b.x[i]); }
 static inline d4 d4_sub(d4 a, d4 b) { D4_EACH(a.x[i] - b.x[i]); }
 static inline d4 d4_mul(d4 a, d4 b) { D4_EACH(a.x[i] * b.x[i]); }
+static inline d4 d4_div(d4 a, d4 b) { D4_EACH(a.x[i] / b.x[i]); }
+static inline d4 d4_sqrt(d4 a) { D4_EACH(sqrt(a.x[i])); }
 static inline f4 d4_to_f4(d4 a) { F4_EACH((float)a.x[i]); }
+
+static inline void
+d4_store(double *p, d4 a)
+{
+  for (int i = 0; i < 4; i++)
+    {
+      p[i] = a.x[i];
+    }
+}
+
 static inline unsigned d4_ge(d4 a, d4 b) { D4_MASK(a.x[i] >= b.x[i]); }
 static inline unsigned d4_gt(d4 a, d4 b) { D4_MASK(a.x[i] > b.x[i]); }
 
 #endif
+
+static inline d4
+d4_neg(d4 a)
+{
+  return d4_mul(a, d4_all(-1));
+}
+
+static inline d4
+d4_abs(d4 a)
+{
+#ifdef __AVX2__
+  return _mm256_andnot_pd(d4_all(-0.0), a);
+#elif defined(__SSE2__)
+  return D4(_mm_andnot_pd(_mm_set1_pd(-0.0), a.l),
+            _mm_andnot_pd(_mm_set1_pd(-0.0), a.h));
+#else
+  D4_EACH(fabs(a.x[i]));
+#endif
+}
+
+/** Four vectors, each x y z and something, as four x, four y and four z. */
+static inline void
+d4_turn_four(const double *const v[4], double *x, double *y, double *z)
+{
+#ifdef __AVX2__
+  d4 v0 = d4_load(v[0]), v1 = d4_load(v[1]);
+  d4 v2 = d4_load(v[2]), v3 = d4_load(v[3]);
+  d4 xz0 = _mm256_unpacklo_pd(v0, v1), xz1 = _mm256_unpacklo_pd(v2, v3);
+  d4 yw0 = _mm256_unpackhi_pd(v0, v1), yw1 = _mm256_unpackhi_pd(v2, v3);
+
+  d4_store(x, _mm256_permute2f128_pd(xz0, xz1, 0x20));
+  d4_store(y, _mm256_permute2f128_pd(yw0, yw1, 0x20));
+  d4_store(z, _mm256_permute2f128_pd(xz0, xz1, 0x31));
+#else
+  for (int i = 0; i < 4; i++)
+    {
+      x[i] = v[i][0];
+      y[i] = v[i][1];
+      z[i] = v[i][2];
+    }
+#endif
+}
 
 // Eight, for the search.
 

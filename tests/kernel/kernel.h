@@ -114,7 +114,7 @@ kernel_finish(struct k_ray *ray)
   else if (hit->surface && hit->finish == K_FINISH_SPHERE)
     {
       hit->N = k_unit(hit->N);
-      hit->P = k_along(hit->center, hit->radius, hit->N);
+      hit->P = k_along(hit->sphere->center, hit->sphere->radius, hit->N);
     }
   hit->finish = K_FINISHED;
 }
