@@ -2,6 +2,7 @@
 #import "diag_t.h"
 #import "errors.h"
 #import "fence.h"
+#import "path.h"
 #include <errno.h>
 #include <limits.h>
 
@@ -82,19 +83,18 @@
 /** Where to look for a file, in this order (autoreleased). */
 - (NSArray *) candidates: (NSString *)path
 {
-  if ([path isAbsolutePath])
+  if (path_is_absolute(path))
     {
       return [NSArray arrayWithObject: path];
     }
 
   NSMutableArray *candidates = [NSMutableArray array];
-  NSString *folder = [[text source]->name stringByDeletingLastPathComponent];
+  NSString *folder = path_folder([text source]->name);
 
-  [candidates addObject: [folder length] == 0 ? path
-    : [folder stringByAppendingPathComponent: path]];
+  [candidates addObject: path_in(folder, path)];
   for (folder in include_path)
     {
-      [candidates addObject: [folder stringByAppendingPathComponent: path]];
+      [candidates addObject: path_in(folder, path)];
     }
   return candidates;
 }
@@ -103,7 +103,7 @@
     path's folders or is refused. */
 - (NSArray *) foldersFor: (NSString *)path
 {
-  return [path isAbsolutePath] ? path_folders : folders;
+  return path_is_absolute(path) ? path_folders : folders;
 }
 
 /** The names that could have been meant: files where it was looked for, and
@@ -112,18 +112,17 @@
 {
   NSMutableArray *names = [NSMutableArray array];
   NSFileManager *manager = [NSFileManager defaultManager];
-  NSString *prefix = [path stringByDeletingLastPathComponent];
+  NSString *prefix = path_folder(path);
 
   for (NSString *candidate in [self candidates: path])
     {
-      NSString *folder
-        = fence_folder([candidate stringByDeletingLastPathComponent]);
+      NSString *folder = fence_folder(path_folder(candidate));
       NSArray *found = folder && fence_holds([self foldersFor: path], folder)
         ? [manager contentsOfDirectoryAtPath: folder error: NULL] : nil;
       for (NSString *other in
            [found sortedArrayUsingSelector: @selector(compare:)])
         {
-          [names addObject: [prefix stringByAppendingPathComponent: other]];
+          [names addObject: path_in(prefix, other)];
         }
     }
   return names;
