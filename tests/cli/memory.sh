@@ -34,10 +34,28 @@ until [ "$(limited $least --version | head -c 1)" = 0 ]; do
   least=$((least + 1000))
 done
 
-same "$(limited $((least + 60000)) pin.mdl -r 4000x4000 -o x.ppm)" \
-  "4 raytrace: not enough memory for 4000 x 4000 pixels: they take 384000000 \
-bytes, and the program may have $(((least + 60000) * 1024)) in all" \
-  "a picture that is too large"
+# too_large BYTES ARGUMENT…: refused with that number, in no time.
+too_large()
+{
+  local bytes=$1
+  shift
+  same "$(limited $((least + 60000)) pin.mdl -r 4000x4000 "$@")" \
+    "4 raytrace: not enough memory for 4000 x 4000 pixels: they and their file \
+take $bytes bytes, and the program may have $(((least + 60000) * 1024)) in all" \
+    "a picture that is too large: $*"
+}
+too_large 480000000 -o x.ppm
+too_large 480000000 -o x.png
+too_large 576000000 -o x.exr
+too_large 1536000000 -o x.exr --aov depth,normal,object
+too_large 960000000 -o x.exr --noise .1
+too_large 768000000 -o x.exr --max-error .1
+
+# The machine's own memory: pixels that just fit, but not with their file.
+side=$(awk '/^MemTotal/ { print int(sqrt(.97 * $2 * 1024 / 24)) }' /proc/meminfo)
+said=$(timeout 10 "$RAYTRACE" pin.mdl -r "${side}x$side" -o x.exr 2>&1)
+same "$? ${said%%:*}" "4 raytrace" "the machine has less: $said"
+pass "with its number" grep -q "take $((side * side * 36)) bytes" <<<"$said"
 
 # From too little to enough.
 odd='' enough=0
