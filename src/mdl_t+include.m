@@ -2,6 +2,7 @@
 #import "diag_t.h"
 #import "errors.h"
 #import "fence.h"
+#include "grow.h"
 #import "path.h"
 #include <errno.h>
 #include <limits.h>
@@ -151,6 +152,10 @@
         {
           return [source autorelease];
         }
+      if ([error code] == ENOMEM)
+        {
+          raise_no_memory(1);
+        }
       isOutside |= [error code] == EXDEV;
       if ([error code] != ENOENT && [error code] != ENOTDIR
           && [error code] != EXDEV && reason == nil)
@@ -211,7 +216,13 @@
       FAULT(at, @"too much to include, expected less than 4 GB in all");
       is_too_much = YES;
     }
-  return [text hasRoomFor: source];
+  else if (![text hasRoomAgainFor: source] && !is_too_much)
+    {
+      FAULT(at, @"too much to include, expected at most 64 MB of files that"
+            @" have been included before");
+      is_too_much = YES;
+    }
+  return [text hasRoomFor: source] && [text hasRoomAgainFor: source];
 }
 
 - (void) readInclude

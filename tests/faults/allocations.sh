@@ -10,9 +10,11 @@ case $BUILD in *sanitize* | fuzz | thread*)
   test_done
   exit ;;
 esac
+echo 'material grey { ambient 2 2 2 diffuse .5 .5 .5 specular .3 .3 .3 }' \
+  >grey.mdl
 cat >pin.mdl <<'MDL'
+include "grey.mdl"
 camera cam { pixeldim 9 6 worlddim 4 3 viewpoint 2 1.5 4 }
-material grey { ambient 2 2 2 diffuse .5 .5 .5 specular .3 .3 .3 }
 light lamp { location 0 3 3 emissivity 3 3 3 }
 sphere ball { material grey center 1 1.5 -2 radius 1 }
 polygon wall { material grey vertex 0 0 -3 vertex 4 0 -3 vertex 4 3 -3 }
