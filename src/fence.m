@@ -1,5 +1,6 @@
 #define _GNU_SOURCE     // O_PATH
 #import "fence.h"
+#include "grow.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -14,6 +15,10 @@ fence_folder(NSString *path)
   char *real = realpath([path length] ? [path UTF8String] : ".", NULL);
   NSString *folder = real ? [NSString stringWithUTF8String: real] : nil;
 
+  if (real == NULL && errno == ENOMEM)
+    {
+      raise_no_memory(1);       // not that there is none
+    }
   free(real);
   return folder;
 }

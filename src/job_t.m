@@ -6,6 +6,7 @@
 #import "compiler_t.h"
 #import "diag_t.h"
 #import "errors.h"
+#import "exr_channel.h"
 #import "exr_t.h"
 #import "explain_t.h"
 #import "fast_t.h"
@@ -333,6 +334,40 @@
   cut->most_count = brightest->count;
 }
 
+/** What a pixel takes at most, from the first ray to the file, which is made
+    whole in memory and may be as large as what goes into it. */
+- (size_t) bytesOfPixel
+{
+  const struct exr_channel *found[EXR_CHANNELS];
+  unsigned aovs = [self aovs];
+
+  return [image_t bytesOfPixel: options->format == FORMAT_EXR ? KEEP_FLOATS
+           : KEEP_BYTES]
+    + (aovs & AOV_SURFACES ? sizeof(struct surface_pixel) : 0)
+    + (aovs & AOV_TRUNCATION ? sizeof(double) : 0)
+    + (aovs & AOV_SAMPLING ? 2 * sizeof(double) : 0)
+    + (options->format == FORMAT_EXR
+       ? sizeof(float) * exr_channels(found, aovs)
+       : 3);            // a byte each
+}
+
+/** Whether a window's pixels and their file fit into the memory there is. */
+- (BOOL) hasRoomFor: (struct window)w error: (NSError **)error
+{
+  unsigned columns = w.x1 - w.x0, rows = w.y1 - w.y0;
+  double needed = (double)columns * rows * [self bytesOfPixel];
+  double memory = machine_memory();
+
+  if (needed > memory)
+    {
+      *error = error_saying(STATUS_FILE, @"not enough memory for %u x %u pixels: "
+                            @"they and their file take %.0f bytes, and the "
+                            @"program may have %.0f in all", columns, rows,
+                            needed, memory);
+    }
+  return needed <= memory;
+}
+
 - (BOOL) plan: (NSError **)error
 {
   struct window window;
@@ -369,6 +404,10 @@
   struct window window;
 
   if (![self setCamera: &window error: error])
+    {
+      return NO;
+    }
+  if (![self hasRoomFor: window error: error])
     {
       return NO;
     }

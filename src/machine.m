@@ -2,6 +2,7 @@
 
 #define _GNU_SOURCE     // sched_getaffinity
 #import "machine.h"
+#import "path.h"
 #include <limits.h>
 #include <sched.h>
 #include <sys/resource.h>
@@ -41,11 +42,10 @@ machine_models(void)
   ssize_t length = readlink("/proc/self/exe", program, PATH_MAX);
 
   program[length > 0 ? length : 0] = '\0';
-  NSString *folder = [[NSString stringWithUTF8String: program]
-                       stringByDeletingLastPathComponent];
+  NSString *folder = path_folder([NSString stringWithUTF8String: program]);
   for (unsigned i = 0; i < sizeof places / sizeof *places; i++)
     {
-      NSString *models = [folder stringByAppendingPathComponent: places[i]];
+      NSString *models = path_in(folder, places[i]);
       if (access([models UTF8String], R_OK) == 0)
         {
           [found addObject: models];

@@ -203,6 +203,8 @@ main(int argc, char **argv)
   handle_signals();
   NSSetUncaughtExceptionHandler(raised);
   NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
+  // A thread that made it, and could not, would keep the runtime's lock.
+  [NSNotificationCenter defaultCenter];
   is_starting = 0;
   options_t *options = [[[options_t alloc] init] autorelease];
   NSString *wrong = [options read: argc : argv];

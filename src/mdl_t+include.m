@@ -2,6 +2,8 @@
 #import "diag_t.h"
 #import "errors.h"
 #import "fence.h"
+#include "grow.h"
+#import "path.h"
 #include <errno.h>
 #include <limits.h>
 
@@ -82,19 +84,18 @@
 /** Where to look for a file, in this order (autoreleased). */
 - (NSArray *) candidates: (NSString *)path
 {
-  if ([path isAbsolutePath])
+  if (path_is_absolute(path))
     {
       return [NSArray arrayWithObject: path];
     }
 
   NSMutableArray *candidates = [NSMutableArray array];
-  NSString *folder = [[text source]->name stringByDeletingLastPathComponent];
+  NSString *folder = path_folder([text source]->name);
 
-  [candidates addObject: [folder length] == 0 ? path
-    : [folder stringByAppendingPathComponent: path]];
+  [candidates addObject: path_in(folder, path)];
   for (folder in include_path)
     {
-      [candidates addObject: [folder stringByAppendingPathComponent: path]];
+      [candidates addObject: path_in(folder, path)];
     }
   return candidates;
 }
@@ -103,7 +104,7 @@
     path's folders or is refused. */
 - (NSArray *) foldersFor: (NSString *)path
 {
-  return [path isAbsolutePath] ? path_folders : folders;
+  return path_is_absolute(path) ? path_folders : folders;
 }
 
 /** The names that could have been meant: files where it was looked for, and
@@ -112,18 +113,17 @@
 {
   NSMutableArray *names = [NSMutableArray array];
   NSFileManager *manager = [NSFileManager defaultManager];
-  NSString *prefix = [path stringByDeletingLastPathComponent];
+  NSString *prefix = path_folder(path);
 
   for (NSString *candidate in [self candidates: path])
     {
-      NSString *folder
-        = fence_folder([candidate stringByDeletingLastPathComponent]);
+      NSString *folder = fence_folder(path_folder(candidate));
       NSArray *found = folder && fence_holds([self foldersFor: path], folder)
         ? [manager contentsOfDirectoryAtPath: folder error: NULL] : nil;
       for (NSString *other in
            [found sortedArrayUsingSelector: @selector(compare:)])
         {
-          [names addObject: [prefix stringByAppendingPathComponent: other]];
+          [names addObject: path_in(prefix, other)];
         }
     }
   return names;
@@ -151,6 +151,10 @@
       if (source)
         {
           return [source autorelease];
+        }
+      if ([error code] == ENOMEM)
+        {
+          raise_no_memory(1);
         }
       isOutside |= [error code] == EXDEV;
       if ([error code] != ENOENT && [error code] != ENOTDIR
@@ -212,7 +216,13 @@
       FAULT(at, @"too much to include, expected less than 4 GB in all");
       is_too_much = YES;
     }
-  return [text hasRoomFor: source];
+  else if (![text hasRoomAgainFor: source] && !is_too_much)
+    {
+      FAULT(at, @"too much to include, expected at most 64 MB of files that"
+            @" have been included before");
+      is_too_much = YES;
+    }
+  return [text hasRoomFor: source] && [text hasRoomAgainFor: source];
 }
 
 - (void) readInclude

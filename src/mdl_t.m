@@ -2,6 +2,7 @@
 #import "diag_t.h"
 #import "fence.h"
 #import "nff_t.h"
+#import "path.h"
 #include "attribute_check.h"
 
 @implementation mdl_t
@@ -253,8 +254,7 @@
 - (void) fence: (source_t *)source
 {
   NSMutableArray *allowed = [NSMutableArray array];
-  NSString *own
-    = fence_folder([source->name stringByDeletingLastPathComponent]);
+  NSString *own = fence_folder(path_folder(source->name));
 
   for (NSString *folder in include_path)
     {

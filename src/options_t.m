@@ -44,6 +44,17 @@ is_folder(NSString *path)
     || (stat([path UTF8String], &now) == 0 && S_ISDIR(now.st_mode));
 }
 
+/** Whether two paths are of one file. */
+static BOOL
+is_same_file(NSString *a, NSString *b)
+{
+  struct stat one, two;
+
+  return stat([a UTF8String], &one) == 0 && stat([b UTF8String], &two) == 0
+    && one.st_dev == two.st_dev && one.st_ino == two.st_ino
+    && S_ISREG(one.st_mode);
+}
+
 static BOOL
 is_square(uint64_t n)
 {
@@ -266,6 +277,11 @@ is_square(uint64_t n)
     {
       return [NSString stringWithFormat: @"output '%@' has an unknown suffix; "
                        @"known are .exr, .png and .ppm", settings.output];
+    }
+  if (is_same_file(scene, settings.output))
+    {
+      return [NSString stringWithFormat: @"output '%@' is the scene itself",
+                       settings.output];
     }
   if (settings.aovs && format != FORMAT_EXR)
     {

@@ -3,6 +3,7 @@
 #define _GNU_SOURCE     // O_TMPFILE
 #import "outfile_t.h"
 #import "errors.h"
+#import "path.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
@@ -30,9 +31,7 @@ follow(NSString *path)
       next[length] = '\0';
       NSString *there = [NSString stringWithUTF8String: next];
       path = links >= 40 || there == nil ? nil
-        : [there isAbsolutePath] ? there
-        : [[path stringByDeletingLastPathComponent]
-            stringByAppendingPathComponent: there];
+        : path_is_absolute(there) ? there : path_in(path_folder(path), there);
       errno = ELOOP;
     }
   return path;
@@ -41,7 +40,7 @@ follow(NSString *path)
 static NSString *
 folder_of(NSString *path)
 {
-  NSString *folder = [path stringByDeletingLastPathComponent];
+  NSString *folder = path_folder(path);
 
   return [folder length] ? folder : @".";
 }
@@ -107,7 +106,7 @@ write_all(int fd, NSData *data)
   (void)!getrandom(&random, sizeof random, 0);
   NSString *name = [NSString stringWithFormat: @".raytrace-%d-%llx.tmp",
                              getpid(), (unsigned long long)random];
-  return [folder_of(target) stringByAppendingPathComponent: name];
+  return path_in(folder_of(target), name);
 }
 
 /** An ordinary file, or none yet: opened without a name. Where that cannot be

@@ -15,6 +15,8 @@
 @protected
   diag_t *diag;                 // not retained: lives as long as the load
   NSMutableArray *sources;
+  NSMutableSet *files;          // what sources are of, each once
+  size_t repeated;              // bytes of sources that are there again
   unsigned total;               // the orders that all sources need
   struct segment *segments;     // pieces of files, in order
   unsigned segment_count, segment_capacity;
@@ -30,6 +32,10 @@
 
 /** Whether there are orders enough for this file: for 4 GB of text in all. */
 - (BOOL) hasRoomFor: (source_t *)source;
+
+/** Whether a file that has been read before may be read once more: all such
+    take 64 MB at most. */
+- (BOOL) hasRoomAgainFor: (source_t *)source;
 
 /** Goes back to the file that includes the one that is being read, behind
     its include. NO if there is none. */

@@ -19,6 +19,17 @@ struct open_file
   struct cursor cursor;
 };
 
+#define MOST_REPEATED ((size_t)64 << 20)
+
+/** The same for two sources of one file (autoreleased). */
+static NSString *
+file_of(source_t *source)
+{
+  return [NSString stringWithFormat: @"%llu %llu",
+                   (unsigned long long)source->device,
+                   (unsigned long long)source->inode];
+}
+
 @implementation text_t
 
 - (id) init: (diag_t *)theDiag
@@ -27,6 +38,7 @@ struct open_file
     {
       diag = theDiag;
       sources = [NSMutableArray new];
+      files = [NSMutableSet new];
     }
   return self;
 }
@@ -34,6 +46,7 @@ struct open_file
 - (void) dealloc
 {
   [sources release];
+  [files release];
   free(segments);
   free(open_files);
   [super dealloc];
@@ -56,12 +69,20 @@ struct open_file
   return source->length < UINT_MAX - total;
 }
 
+- (BOOL) hasRoomAgainFor: (source_t *)source
+{
+  return ![files containsObject: file_of(source)]
+    || repeated + source->length <= MOST_REPEATED;
+}
+
 - (void) enter: (source_t *)source from: (unsigned)includer
 {
   unsigned start = open_count ? cursor_order(&cursor, cursor.at) : 0;
   struct place none = { .file = -1 };
 
   total += source->length + 1;
+  repeated += [files containsObject: file_of(source)] ? source->length : 0;
+  [files addObject: file_of(source)];
   source->file = [diag addFile: source->name text: [source characters]
                       includer: open_count ? [self placeAt: includer] : none];
   [sources addObject: source];

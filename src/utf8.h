@@ -24,7 +24,8 @@ unsigned utf8_shown(const char *at, size_t left, unsigned *bytes);
 /** How many columns of a terminal a character takes: 0, 1 or 2. */
 unsigned utf8_width(unsigned character);
 
-/** A few words of a text in single quotes, for a message (autoreleased). */
+/** A few words of a text in single quotes, for a message (autoreleased). What
+    nobody would see, as a space that does not separate, is <U+00A0>. */
 NSString *utf8_quote(const char *at, size_t length);
 
 #endif

@@ -116,6 +116,15 @@ utf8_width(unsigned c)
   return 1;
 }
 
+/** Whether a character looks like a space or like nothing, and is no ASCII. */
+static BOOL
+is_invisible(unsigned c)
+{
+  return c == 0xA0 || c == 0xAD || c == 0x1680 || (c >= 0x2000 && c <= 0x200F)
+    || c == 0x202F || (c >= 0x205F && c <= 0x2064) || c == 0x3000
+    || c == 0xFEFF;
+}
+
 NSString *
 utf8_quote(const char *at, size_t length)
 {
@@ -127,6 +136,7 @@ utf8_quote(const char *at, size_t length)
       unsigned bytes, c = utf8_shown(at + i, length - i, &bytes);
       NSString *shown = c == REPLACEMENT
         ? [NSString stringWithFormat: @"%C", (unichar)REPLACEMENT]
+        : is_invisible(c) ? [NSString stringWithFormat: @"<U+%04X>", c]
         : [[[NSString alloc] initWithBytes: at + i length: bytes
                                   encoding: NSUTF8StringEncoding]
             autorelease];

@@ -34,17 +34,28 @@ until [ "$(limited $least --version | head -c 1)" = 0 ]; do
   least=$((least + 1000))
 done
 
-# too_large FILE BYTES: what such a picture takes, as that file wants it.
+# too_large BYTES ARGUMENT…: refused with that number, in no time.
 too_large()
 {
-  same "$(limited $((least + 60000)) pin.mdl -r 9000x9000 -o "$1")" \
-    "4 raytrace: not enough memory for 9000 x 9000 pixels: they take $2 \
-bytes, and the program may have $(((least + 60000) * 1024)) in all" \
-    "a picture that is too large: $1"
+  local bytes=$1
+  shift
+  same "$(limited $((least + 60000)) pin.mdl -r 9000x9000 "$@")" \
+    "4 raytrace: not enough memory for 9000 x 9000 pixels: they and their file \
+take $bytes bytes, and the program may have $(((least + 60000) * 1024)) in all" \
+    "a picture that is too large: $*"
 }
-too_large x.ppm 243000000
-too_large x.png 243000000
-too_large x.exr 972000000
+too_large 486000000 -o x.ppm
+too_large 486000000 -o x.png
+too_large 1944000000 -o x.exr
+too_large 6804000000 -o x.exr --aov depth,normal,object
+too_large 3888000000 -o x.exr --noise .1
+too_large 2916000000 -o x.exr --max-error .1
+
+# The machine's own memory: pixels that just fit, but not with their file.
+side=$(awk '/^MemTotal/ { print int(sqrt(.97 * $2 * 1024 / 12)) }' /proc/meminfo)
+said=$(timeout 10 "$RAYTRACE" pin.mdl -r "${side}x$side" -o x.exr 2>&1)
+same "$? ${said%%:*}" "4 raytrace" "the machine has less: $said"
+pass "with its number" grep -q "take $((side * side * 24)) bytes" <<<"$said"
 
 # From too little to enough.
 odd='' enough=0

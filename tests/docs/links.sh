@@ -105,7 +105,7 @@ options()
 }
 
 "$RAYTRACE" --help >"$TMP/options"
-sed -n '2,20p' check tests/run >>"$TMP/options"
+sed -sn '2,20p' check tests/run tests/fuzz/run >>"$TMP/options"
 
 pass "there are pages" test ${#pages[@]} -gt 4
 for page in "${pages[@]}"; do

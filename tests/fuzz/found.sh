@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # What fuzzing has found once: each file of tests/fuzz/found gives the same
-# picture and the same rays from both engines, or is refused by both.
+# picture and the same rays from both engines, or is refused by both. And what
+# it has to begin with: words.dict has every option there is.
 . "$ROOT/tests/test.sh"
 
 # run_of ENGINE FILE: exit status, rays and picture.
@@ -19,4 +20,9 @@ for file in "$ROOT"/tests/fuzz/found/*; do
   same "$(run_of fast "$file")" "$notes" "${file##*/}: both engines alike"
   pass "${file##*/}: drawn or refused" grep -qE '^[03] ' <<<"$notes"
 done
+
+options=$("$RAYTRACE" --help | sed -nE 's/^  (-.,|   ) --([a-z-]+).*/"--\2"/p')
+pass "there are options" test "$(wc -w <<<"$options")" -gt 20
+same "$(grep -vxFf "$ROOT/tests/fuzz/words.dict" <<<"$options")" "" \
+  "words.dict has them all"
 test_done

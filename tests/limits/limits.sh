@@ -137,4 +137,16 @@ status 3 "1000 are refused" "$RAYTRACE" link0.mdl -o x.ppm
 same "$("$RAYTRACE" link0.mdl -o x.ppm 2>&1 | grep error)" \
   "link256.mdl:1:9: error: too much to include, expected at most 65536 files \
 in all and 256 inside each other" "and it is said where"
+
+# A file that is included again and again is in memory as often.
+head -c 1000000 /dev/zero | tr '\0' '#' >large.inc
+{ start; yes 'include "large.inc"' | head -n 3000; } >often.mdl
+status=0 most=unlimited
+[ "$BUILD" = sanitize ] || most=1000000
+said=$( (ulimit -v $most
+  timeout 20 "$RAYTRACE" often.mdl -o x.ppm) 2>&1) || status=$?
+same "$status" 3 "a file of 1 MB, 3000 times, is refused within 1 GB"
+same "$(head -n 1 <<<"$said")" "often.mdl:72:9: error: too much to include, \
+expected at most 64 MB of files that have been included before" \
+  "where it gets too much"
 test_done

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# A file appears complete or not at all: full disks, folders that cannot be
-# written to, signals. Nothing stays beside it, and an older file is as it
-# was.
+# A file appears complete or not at all: full disks, signals. Nothing stays
+# beside it, and an older file is as it was. Without permission:
+# tests/faults/streams.sh.
 . "$ROOT/tests/test.sh"
 set -m # jobs get SIGINT
 
@@ -73,18 +73,6 @@ if in_small_disk size=4k true 2>/dev/null; then
     "$RAYTRACE" pin.mdl -o disk/x.exr
 else
   skip "a disk of one's own needs unshare"
-fi
-
-if [ "$(id -u)" != 0 ]; then
-  mkdir -m 555 locked
-  fails "cannot write 'locked/x.exr': Permission denied" \
-    "a folder without permission" "$RAYTRACE" pin.mdl -o locked/x.exr
-  cp want.exr mine.exr
-  chmod 444 mine.exr
-  fails "cannot write 'mine.exr': Permission denied" \
-    "a file without permission" "$RAYTRACE" pin.mdl -o mine.exr
-else
-  skip "root may write everywhere"
 fi
 
 # A file may not grow beyond 8 blocks.

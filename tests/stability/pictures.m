@@ -10,6 +10,7 @@ struct spot
 {
   double scale, offset;
   int turns;                    // of x y z to y z x
+  int quarters;                 // then by 90 degrees, of x y z to -y x z
 };
 
 static char text[4000];
@@ -28,11 +29,21 @@ say(const char *format, ...)
 static void
 say_vector(struct spot at, double x, double y, double z, double offset)
 {
-  double v[3] = { x, y, z };
+  double v[3] = { x, y, z }, w[3];
 
   for (int i = 0; i < 3; i++)
     {
-      say(" %.17g", v[(i + at.turns) % 3] * at.scale + offset);
+      w[i] = v[(i + at.turns) % 3];
+    }
+  for (int i = 0; i < at.quarters; i++)
+    {
+      double old = w[0];
+      w[0] = -w[1];
+      w[1] = old;
+    }
+  for (int i = 0; i < 3; i++)
+    {
+      say(" %.17g", w[i] * at.scale + offset);
     }
   say("\n");
 }
@@ -47,7 +58,7 @@ point(struct spot at, const char *what, double x, double y, double z)
 static void
 direction(struct spot at, const char *what, double x, double y, double z)
 {
-  struct spot here = { 1, 0, at.turns };
+  struct spot here = { 1, 0, at.turns, at.quarters };
 
   say(" %s", what);
   say_vector(here, x, y, z, 0);
@@ -111,13 +122,13 @@ apart(image_t *a, image_t *b, unsigned *wrong)
 static void
 test_places(void)
 {
-  struct spot here = { 1, 0, 0 };
+  struct spot here = { 1, 0, 0, 0 };
   image_t *image = scene(here);
   unsigned wrong;
 
   for (int k = -9; k <= 9; k += 3)
     {
-      struct spot at = { 1, 0, 0 };
+      struct spot at = { 1, 0, 0, 0 };
       for (int i = 0; i < abs(k); i++)
         {
           at.scale = k < 0 ? at.scale / 10 : at.scale * 10;
@@ -130,20 +141,21 @@ test_places(void)
                                      { 1e6, 2e-8 }, { 1e9, 2e-5 } };
   for (int i = 0; i < 4; i++)
     {
-      struct spot at = { 1, moves[i][0], 0 };
+      struct spot at = { 1, moves[i][0], 0, 0 };
       double off = apart(scene(at), image, &wrong);
       PASS_NEAR(off, 0, moves[i][1], "N05 moved by %g, pixels off by",
                 moves[i][0]);
     }
-  struct spot far = { 1, 1e12, 0 };
+  struct spot far = { 1, 1e12, 0, 0 };
   apart(scene(far), image, &wrong);
   PASS_NEAR(wrong / (32. * 24), 0, .01, "N05 moved by 1e12, share of pixels"
             " off by more than 1/512");
-  for (int turns = 1; turns <= 2; turns++)
+  for (int turn = 1; turn < 12; turn++)
     {
-      struct spot at = { 1, 0, turns };
+      struct spot at = { 1, 0, turn / 4, turn % 4 };
       PASS_NEAR(apart(scene(at), image, &wrong), 0, 1e-12,
-                "N07 axes permuted %d times, pixels off by", turns);
+                "N07 axes permuted %d times, then turned by 90 degrees %d"
+                " times, pixels off by", turn / 4, turn % 4);
     }
 }
 

@@ -5,7 +5,8 @@
 //            has to give the same text; then a small picture from both engines
 //   nff      the same with a file in NFF
 //   options  arguments, one a line
-//   tool     a line of arguments, then a model: the whole run, to a file
+//   tool     a line of arguments, then a model, or NFF if it begins with the
+//            entity v: the whole run, to a file
 //
 // A picture that differs between the engines, or in what they count, a number
 // that is not finite and a file that is no file are crashes, as is whatever a
@@ -177,13 +178,27 @@ read_options(char *text, const char *separators, const char *first[],
   return wrong ? nil : options;
 }
 
+/** Whether a run may take long by right, as no option bounds it. */
+static BOOL
+takes_long(const options_t *options)
+{
+  const struct settings *s = &options->settings;
+  BOOL is_deep = s->max_depth > 8
+    || (s->max_error > 0 && ![options isGiven: "max-depth"]);
+
+  return s->size[0] * s->size[1] > 256 || s->samples > 4 || s->exposure > 4
+    || s->threads > 4 || is_deep || s->time_limit > .05
+    || (s->noise > 0 && (s->max_samples == 0 || s->max_samples > 64));
+}
+
 static void
 one_run(const uint8_t *data, size_t size)
 {
   static const char *const outputs[] = { "out.exr", "out.png", "out.ppm" };
   const uint8_t *end = memchr(data, '\n', size);
   size_t line = end ? (size_t)(end - data) : size;
-  NSString *scene = path_of("tool.mdl");
+  BOOL is_nff = size - line > 2 && memcmp(data + line, "\nv\n", 3) == 0;
+  NSString *scene = path_of(is_nff ? "tool.nff" : "tool.mdl");
   NSString *out = path_of(outputs[size % 3]);
   const char *first[] = { [scene UTF8String], "-o", [out UTF8String],
                           "-r", "5x3", "--progress=none" };
@@ -198,8 +213,7 @@ one_run(const uint8_t *data, size_t size)
       return;
     }
   struct settings *s = &options->settings;
-  if (s->help || s->version || s->size[0] * s->size[1] > 256 || s->samples > 4
-      || s->exposure > 4 || s->threads > 4 || s->max_depth > 8)
+  if (s->help || s->version || s->show_quality || takes_long(options))
     {
       return;
     }
