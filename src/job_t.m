@@ -287,7 +287,7 @@
     .sampler = (enum sampler)settings->sampler,
     .noise = settings->noise,
     .errors = student_quantile(settings->confidence > 0
-                               ? settings->confidence : 0.95, BATCHES - 1),
+                               ? settings->confidence : 0.95, BATCHES_FREEDOM),
     .max_samples = settings->max_samples ? (unsigned)settings->max_samples
     : 65536
   };

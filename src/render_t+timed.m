@@ -7,25 +7,11 @@
 #include "clock.h"
 #include "grow.h"
 
-// As in render_t.m.
-enum { TILE_SIDE = 16, ACROSS = 8, DOWN = EYE_RAYS / ACROSS };
-
 @implementation render_t (timed)
 
 - (unsigned) samplesDone
 {
   return passes;
-}
-
-- (struct window) windowOf: (unsigned)tile
-{
-  struct window w;
-
-  w.x0 = image->window.x0 + tile % tiles_across * TILE_SIDE;
-  w.y0 = image->window.y0 + tile / tiles_across * TILE_SIDE;
-  w.x1 = MIN(w.x0 + TILE_SIDE, image->window.x1);
-  w.y1 = MIN(w.y0 + TILE_SIDE, image->window.y1);
-  return w;
 }
 
 /** The colours of the pixels of a block, at most EYE_RAYS, by ray number `ray`
@@ -65,12 +51,12 @@ enum { TILE_SIDE = 16, ACROSS = 8, DOWN = EYE_RAYS / ACROSS };
            places: (struct ray_places *)places
          counters: (struct counters *)count
 {
-  for (unsigned y = w.y0; y < w.y1; y += DOWN)
+  for (unsigned y = w.y0; y < w.y1; y += BLOCK_DOWN)
     {
-      for (unsigned x = w.x0; x < w.x1; x += ACROSS)
+      for (unsigned x = w.x0; x < w.x1; x += BLOCK_ACROSS)
         {
-          struct window block = { x, y, MIN(x + ACROSS, w.x1),
-                                  MIN(y + DOWN, w.y1) };
+          struct window block = { x, y, MIN(x + BLOCK_ACROSS, w.x1),
+                                  MIN(y + BLOCK_DOWN, w.y1) };
           [self block: block ray: ray places: places counters: count];
           if (clock_seconds() > options.until)
             {

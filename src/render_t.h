@@ -4,7 +4,18 @@
 
 #import <Foundation/Foundation.h>
 #import "engine_t.h"
+#include "pilots.h"
 #include "ray_places.h"
+
+/** Pixels of one side of a tile: large enough that taking the next one costs
+    nothing, small enough that the last ones keep all threads busy. */
+enum { TILE_SIDE = 16 };
+
+/** Pixels of a block, whose rays are traced together: across and down. */
+enum { BLOCK_ACROSS = 8, BLOCK_DOWN = EYE_RAYS / BLOCK_ACROSS };
+
+/** Bytes that each thread's stack has at least. */
+#define RENDER_STACK_LEAST ((size_t)64 << 20)
 
 struct render_options
 {
@@ -30,9 +41,12 @@ struct render_options
   struct render_options options;
   struct counters counters;     // of all threads, after run
 @protected
-  unsigned tile_count, tiles_across;
+  struct window area;           // that is being worked on, tile by tile
+  unsigned tile_count, tiles_across;    // of it
+  unsigned all_tiles;           // of the image
   unsigned next_tile, tiles_done;       // atomic
   NSLock *lock;                 // of counters
+  struct pilots pilots;         // adaptive only
   struct k_vec *pass;           // colours of the pass under way; timed only
   unsigned char *tile_is_there; // whether the pass has it
   unsigned passes;              // that are complete
@@ -53,6 +67,9 @@ struct render_options
 /** Where rays go, of no pixel yet. */
 - (struct ray_places) places;
 
+/** What each thread does: takes tiles of the area until there are none left. */
+- (void) work;
+
 @end
 
 @interface render_t (timed)
@@ -71,15 +88,25 @@ struct render_options
 
 @interface render_t (threads)
 
+/** The area to be worked on from now on, none of it done. */
+- (void) cover: (struct window)w;
+
 /** Does the work in all threads and waits for them. */
 - (void) inThreads: (SEL)work;
+
+/** A tile of the area. */
+- (struct window) windowOf: (unsigned)tile;
 
 @end
 
 @interface render_t (adaptive)
 
-/** The pixels of a window, at most 32, with as many rays as each needs. The
-    image has the planes PLANE_SAMPLES and PLANE_SAMPLING. */
+/** All pixels of the image's window, with as many rays as each needs. The image
+    has the planes PLANE_SAMPLES and PLANE_SAMPLING. */
+- (void) runAdaptive;
+
+/** The pixels of a window, at most 32, whose pilots and those around them are
+    there. */
 - (void) adaptivePixelsOf: (struct window)w
                  counters: (struct counters *)count;
 
