@@ -4,10 +4,23 @@
 #ifndef AROUND_H
 #define AROUND_H
 
+#import "image_t.h"
 #include "kernel/k_vec.h"
 
 /** How far they are, in columns and in rows. */
 enum { AROUND_REACH = 2 };
+
+/** A window and the pixels around those in it, as far as they are within
+    bounds. */
+static inline struct window
+around_window(struct window w, struct window bounds)
+{
+  w.x0 -= MIN(w.x0 - bounds.x0, AROUND_REACH);
+  w.y0 -= MIN(w.y0 - bounds.y0, AROUND_REACH);
+  w.x1 += MIN(bounds.x1 - w.x1, AROUND_REACH);
+  w.y1 += MIN(bounds.y1 - w.y1, AROUND_REACH);
+  return w;
+}
 
 struct around
 {

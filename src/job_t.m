@@ -77,7 +77,8 @@
   BOOL is_cut = settings->min_weight >= 0 || settings->max_error > 0;
 
   return (unsigned)settings->aovs | (is_cut ? AOV_TRUNCATION : 0)
-    | (settings->noise > 0 ? AOV_SAMPLING | AOV_SAMPLES : 0);
+    | (settings->noise > 0 ? AOV_SAMPLING | AOV_SAMPLES : 0)
+    | (isTimed ? AOV_SAMPLING : 0);
 }
 
 /** Whether somebody beside the kernel asks all objects. */
@@ -259,6 +260,8 @@
 {
   struct settings *settings = &options->settings;
 
+  stats->noise = noise_facts_of(image, HUGE_VAL);
+  stats->noise.rays = stats->noise.pixels * samples;
   settings->time_limit = 0;
   settings->samples = samples;
   settings->exposure = model->camera->has_lens ? 1 : 0;
@@ -269,8 +272,13 @@
     }
   else if (!settings->quiet)
     {
-      fprintf(stderr, "raytrace: --time-limit: %u ray%s through each pixel\n",
+      fprintf(stderr, "raytrace: --time-limit: %u ray%s through each pixel",
               samples, samples == 1 ? "" : "s");
+      if (samples > 1)
+        {
+          fprintf(stderr, ", stated error %.2g", stats->noise.rms);
+        }
+      fputs("\n", stderr);
     }
 }
 
@@ -376,9 +384,13 @@
     {
       return NO;
     }
-  if (settings->noise > 0
-      && !([image addPlane: PLANE_SAMPLING error: error]
-           && [image addPlane: PLANE_SAMPLES error: error]))
+  isTimed = settings->time_limit > 0;
+  if ((settings->noise > 0 || isTimed)
+      && ![image addPlane: PLANE_SAMPLING error: error])
+    {
+      return NO;
+    }
+  if (settings->noise > 0 && ![image addPlane: PLANE_SAMPLES error: error])
     {
       return NO;
     }

@@ -5,7 +5,6 @@
 #ifndef PILOTS_H
 #define PILOTS_H
 
-#import "image_t.h"
 #include "around.h"
 #include "batches.h"
 
@@ -31,18 +30,6 @@ pilots_at(const struct pilots *p, unsigned x, unsigned y)
   return p->at + y % p->rows * columns + (x - p->seen.x0);
 }
 
-/** The window and the pixels around those in it, of a picture of so many columns
-    and rows. */
-static inline struct window
-pilots_window(struct window w, unsigned columns, unsigned rows)
-{
-  w.x0 -= MIN(w.x0, AROUND_REACH);
-  w.y0 -= MIN(w.y0, AROUND_REACH);
-  w.x1 += MIN(columns - w.x1, AROUND_REACH);
-  w.y1 += MIN(rows - w.y1, AROUND_REACH);
-  return w;
-}
-
 /** How much one pixel's variance tells of another's: all unless it is much
     smaller, as flat pixels beside an edge tell nothing of those in it. */
 static inline double
@@ -59,13 +46,13 @@ static inline struct k_vec
 pilots_variance(const struct pilots *p, unsigned x, unsigned y)
 {
   struct window one = { x, y, x + 1, y + 1 };
-  struct window w = pilots_window(one, p->seen.x1, p->seen.y1);
+  struct window w = around_window(one, p->seen);
   struct k_vec own = pilots_at(p, x, y)->variance;
   struct around a = { .weight = 0 };
 
-  for (unsigned row = MAX(w.y0, p->seen.y0); row < w.y1; row++)
+  for (unsigned row = w.y0; row < w.y1; row++)
     {
-      for (unsigned column = MAX(w.x0, p->seen.x0); column < w.x1; column++)
+      for (unsigned column = w.x0; column < w.x1; column++)
         {
           if (column != x || row != y)
             {

@@ -225,7 +225,8 @@ trace(const render_t *self, struct adaptive_bundle *bundle,
 - (void) runAdaptive
 {
   struct window w = image->window;
-  struct window seen = pilots_window(w, image->columns, image->rows);
+  struct window all = { 0, 0, image->columns, image->rows };
+  struct window seen = around_window(w, all);
   unsigned columns = seen.x1 - seen.x0, tried = seen.y0;
   unsigned rows = MAX(PILOTS_MOST / columns / TILE_SIDE, 1) * TILE_SIDE;
 

@@ -1,17 +1,26 @@
 // render_t+timed.m - --time-limit: the best picture there is time for. Whole
 // passes only, each one ray through every pixel, in the order in which
-// --samples would take them: their sums are the same bits.
+// --samples would take them: their sums are the same bits. A pass is added to
+// the sums tile by tile while the next one is under way.
 
 #import "render_t.h"
 #import "camera_t.h"
+#include "around.h"
+#include "batches.h"
 #include "clock.h"
 #include "grow.h"
+#include "halves.h"
 
 @implementation render_t (timed)
 
 - (unsigned) samplesDone
 {
   return passes;
+}
+
+- (struct timed_pixel *) timedAt: (unsigned)x : (unsigned)y
+{
+  return timed + ([image pixelAt: x : y] - image->pixels);
 }
 
 /** The colours of the pixels of a block, at most EYE_RAYS, by ray number `ray`
@@ -21,7 +30,7 @@
 {
   struct sample samples[EYE_RAYS];
   struct eye_ray rays[EYE_RAYS];
-  size_t at[EYE_RAYS];
+  struct timed_pixel *at[EYE_RAYS];
   unsigned n = 0;
 
   for (unsigned y = w.y0; y < w.y1; y++)
@@ -34,7 +43,7 @@
               ray_places_begin(places, sample.column, sample.row, 0);
               ray_places_set(places, ray, &sample);
             }
-          at[n] = [image pixelAt: x : y] - image->pixels;
+          at[n] = [self timedAt: x : y];
           samples[n++] = sample;
         }
     }
@@ -42,8 +51,30 @@
   [engine trace: rays : n counters: count];
   for (unsigned i = 0; i < n; i++)
     {
-      pass[at[i]] = rays[i].color;
+      at[i]->pass = rays[i].color;
     }
+}
+
+/** Adds a tile of the last complete pass to the sums. */
+- (void) addTile: (unsigned)tile
+{
+  struct window w = [self windowOf: tile];
+  unsigned rays = passes - 1;
+
+  for (unsigned y = w.y0; y < w.y1; y++)
+    {
+      for (unsigned x = w.x0; x < w.x1; x++)
+        {
+          struct timed_pixel *pixel = [self timedAt: x : y];
+          pixel->sum = k_add(pixel->sum, pixel->pass);
+          if ((rays & (rays - 1)) == 0)
+            {
+              pixel->half = pixel->whole;
+              pixel->whole = pixel->sum;
+            }
+        }
+    }
+  tile_is_added[tile] = 1;
 }
 
 /** A tile, block by block; NO if the time is up before its end. */
@@ -85,6 +116,10 @@
   while ((tile = __atomic_fetch_add(&next_tile, 1, __ATOMIC_RELAXED))
          < tile_count)
     {
+      if (passes > 1)
+        {
+          [self addTile: tile];
+        }
       if (![self passTile: [self windowOf: tile]
                       ray: is_first ? 0 : passes - 1
                    places: &places counters: &mine])
@@ -106,7 +141,12 @@
   next_tile = tiles_done = 0;
   memset(tile_is_there, 0, tile_count);
   [self inThreads: @selector(passTiles)];
-  return tiles_done == tile_count;
+  if (tiles_done < tile_count)
+    {
+      return NO;
+    }
+  memset(tile_is_added, 0, tile_count);
+  return YES;
 }
 
 /** Gives tiles that are not there the colours of the last one before them that
@@ -118,7 +158,7 @@
 
   for (size_t i = 0; i < count; i++)
     {
-      image->pixels[i].color = pass[i];
+      image->pixels[i].color = timed[i].pass;
     }
   for (unsigned tile = 0; tile < tile_count; tile++)
     {
@@ -145,13 +185,85 @@
     }
 }
 
+/** Adds what is missing of the last pass. */
+- (void) addTiles
+{
+  unsigned tile;
+
+  while ((tile = __atomic_fetch_add(&next_tile, 1, __ATOMIC_RELAXED))
+         < tile_count)
+    {
+      if (!tile_is_added[tile])
+        {
+          [self addTile: tile];
+        }
+    }
+}
+
+/** The variance of the pixel's mean, of each channel, as its halves and those of
+    the pixels around say; `most` rays are in both, and `share` is what the square
+    of their difference is worth. */
+- (struct k_vec) varianceAt: (unsigned)x : (unsigned)y most: (double)most
+                      share: (double)share
+{
+  struct window one = { x, y, x + 1, y + 1 }, w = image->window;
+  struct window near = around_window(one, w);
+  struct around a = { .weight = 0 };
+
+  for (unsigned row = near.y0; row < near.y1; row++)
+    {
+      for (unsigned column = near.x0; column < near.x1; column++)
+        {
+          const struct timed_pixel *pixel = [self timedAt: column : row];
+          struct k_vec off = k_div(k_sub(k_scale(pixel->half, 2), pixel->whole),
+                                   most / 2);
+          around_add(&a, (int)column - (int)x, (int)row - (int)y, 1,
+                     batches_square(off));
+        }
+    }
+  return k_scale(a.sum, share / a.weight);
+}
+
+/** The mean of each pixel, and how far it may be off. */
+- (void) stateTiles
+{
+  unsigned tile, rays = passes - 1;
+  double gain = batches_gain(options.sampler == SAMPLER_RANDOM,
+                             camera_has_lens(camera));
+  double share = halves_share(gain) * halves_rest(rays, gain);
+  double most = 1u << (31 - __builtin_clz(rays));
+
+  while ((tile = __atomic_fetch_add(&next_tile, 1, __ATOMIC_RELAXED))
+         < tile_count)
+    {
+      struct window w = [self windowOf: tile];
+      for (unsigned y = w.y0; y < w.y1; y++)
+        {
+          for (unsigned x = w.x0; x < w.x1; x++)
+            {
+              struct k_vec variance = [self varianceAt: x : y most: most
+                                                 share: share];
+              struct k_vec sum = [self timedAt: x : y]->sum;
+              BOOL is_finite = k_norm1(sum) < HUGE_VAL;
+              [image pixelAt: x : y]->color = k_div(sum, (double)rays);
+              *[image plane: PLANE_SAMPLING at: x : y] = is_finite
+                ? batches_half_width(variance, rays, options.errors) : HUGE_VAL;
+            }
+        }
+    }
+}
+
 - (void) runTimed
 {
   size_t count = (size_t)[image width] * [image height];
-  unsigned rays = 0;            // in the sums, beside the first pass
 
-  pass = new_array(count, sizeof *pass);
+  timed = new_array(count, sizeof *timed);
   tile_is_there = new_array(tile_count, 1);
+  tile_is_added = new_array(tile_count, 1);
+  for (size_t i = 0; i < count; i++)
+    {
+      image->planes[PLANE_SAMPLING][i] = HUGE_VAL;
+    }
   if (![self onePass])
     {
       [self fillTiles];
@@ -159,24 +271,24 @@
     }
   for (size_t i = 0; i < count; i++)
     {
-      image->pixels[i].color = pass[i];
+      image->pixels[i].color = timed[i].pass;
     }
-  struct k_vec *sums = new_array(count, sizeof *sums);
-  for (passes = 1; passes < UINT32_MAX && [self onePass]; passes++)
+  do
     {
-      for (size_t i = 0; i < count; i++)
-        {
-          sums[i] = k_add(sums[i], pass[i]);
-        }
-      rays = passes;
+      passes++;
     }
+  while (passes < UINT32_MAX && [self onePass]);
   // Two rays are the least that are a picture of many.
-  for (size_t i = 0; rays > 1 && i < count; i++)
+  if (passes < 3)
     {
-      image->pixels[i].color = k_div(sums[i], (double)rays);
+      passes = 1;
+      return;
     }
-  passes = rays > 1 ? rays : 1;
-  free(sums);
+  next_tile = 0;
+  [self inThreads: @selector(addTiles)];
+  next_tile = 0;
+  [self inThreads: @selector(stateTiles)];
+  passes--;
 }
 
 @end

@@ -17,6 +17,14 @@ enum { BLOCK_ACROSS = 8, BLOCK_DOWN = EYE_RAYS / BLOCK_ACROSS };
 /** Bytes that each thread's stack has at least. */
 #define RENDER_STACK_LEAST ((size_t)64 << 20)
 
+/** What becomes of a pixel by passes. */
+struct timed_pixel
+{
+  struct k_vec pass;            // its colour by the pass under way
+  struct k_vec sum;             // by the passes before, but the first
+  struct k_vec half, whole;     // the sum of 2^(k-1) and of 2^k of them
+};
+
 struct render_options
 {
   unsigned threads;     // at least 1
@@ -47,8 +55,9 @@ struct render_options
   unsigned next_tile, tiles_done;       // atomic
   NSLock *lock;                 // of counters
   struct pilots pilots;         // adaptive only
-  struct k_vec *pass;           // colours of the pass under way; timed only
-  unsigned char *tile_is_there; // whether the pass has it
+  struct timed_pixel *timed;    // timed only
+  unsigned char *tile_is_there; // whether the pass under way has it
+  unsigned char *tile_is_added; // whether its sums have the pass before
   unsigned passes;              // that are complete
 }
 

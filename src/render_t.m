@@ -44,8 +44,9 @@
   [engine release];
   [lock release];
   free(pilots.at);
-  free(pass);
+  free(timed);
   free(tile_is_there);
+  free(tile_is_added);
   [super dealloc];
 }
 
