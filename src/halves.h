@@ -18,22 +18,45 @@ halves_share(double gain)
   return gain / (4 * (1 - gain));
 }
 
+/** The largest power of two in n, at least 1. */
+static inline uint64_t
+halves_most(uint64_t n)
+{
+  return (uint64_t)1 << (63 - __builtin_clzll(n));
+}
+
+/** The variance of the sum of n rays by that of one. A sequence is as good as its
+    parts of powers of two, and few rays less than such a number are as good as
+    that number without a sequence of those few: what is nearer. */
+static inline double
+halves_sum(uint64_t n, double gain)
+{
+  double sum = 0;
+
+  while (n)
+    {
+      uint64_t below = halves_most(n);
+      uint64_t part = n - below <= 2 * below - n ? below : 2 * below;
+      double variance = 1;      // part^2 V(part)
+      for (uint64_t k = part; k > 1; k /= 2)
+        {
+          variance *= 4 * gain;
+        }
+      sum += variance;
+      n = n > part ? n - part : part - n;
+    }
+  return sum;
+}
+
 /** The variance of the mean of n rays, n at least 1, by that of 2^k, the largest
-    power of two in n: a sequence is as good as its parts of powers of two, one
-    for each bit of n. */
+    power of two in n. */
 static inline double
 halves_rest(uint64_t n, double gain)
 {
-  double part = 1, parts = 0, last = 1;
+  uint64_t most = halves_most(n);
+  double part = (double)most / n;
 
-  // (2^j)^2 V(2^j), and in the end that of 2^k.
-  for (uint64_t bits = n; bits; bits >>= 1, part *= 4 * gain)
-    {
-      parts += bits & 1 ? part : 0;
-      last = part;
-    }
-  double most = (double)((uint64_t)1 << (63 - __builtin_clzll(n)));
-  return parts / last * (most / n) * (most / n);
+  return halves_sum(n, gain) / halves_sum(most, gain) * part * part;
 }
 
 #endif

@@ -1,7 +1,7 @@
 // render_t+timed.m - --time-limit: the best picture there is time for. Whole
-// passes only, each one ray through every pixel, in the order in which
-// --samples would take them: their sums are the same bits. A pass is added to
-// the sums tile by tile while the next one is under way.
+// passes only, each one ray or more through every pixel, in the order in which
+// --samples would take them: their sums are the same bits. The sums of a pass
+// become those of the picture tile by tile while the next one is under way.
 
 #import "render_t.h"
 #import "camera_t.h"
@@ -15,7 +15,7 @@
 
 - (unsigned) samplesDone
 {
-  return passes;
+  return taken;
 }
 
 - (struct timed_pixel *) timedAt: (unsigned)x : (unsigned)y
@@ -23,13 +23,28 @@
   return timed + ([image pixelAt: x : y] - image->pixels);
 }
 
-/** The colours of the pixels of a block, at most EYE_RAYS, by ray number `ray`
-    of each. */
-- (void) block: (struct window)w ray: (uint64_t)ray
-        places: (struct ray_places *)places counters: (struct counters *)count
+/** Traces rays and adds each colour to its pixel, in order; NO if the time is up
+    then. */
+- (BOOL) trace: (const struct sample *)samples : (unsigned)n
+           into: (struct timed_pixel **)at counters: (struct counters *)count
+{
+  struct eye_ray rays[EYE_RAYS];
+
+  [camera rays: rays : n of: samples];
+  [engine trace: rays : n counters: count];
+  for (unsigned i = 0; i < n; i++)
+    {
+      at[i]->next = k_add(at[i]->next, rays[i].color);
+    }
+  return clock_seconds() <= options.until;
+}
+
+/** A block of a tile: `step` rays through each pixel, after those it has; NO if
+    the time is up before its end. */
+- (BOOL) block: (struct window)w places: (struct ray_places *)places
+      counters: (struct counters *)count
 {
   struct sample samples[EYE_RAYS];
-  struct eye_ray rays[EYE_RAYS];
   struct timed_pixel *at[EYE_RAYS];
   unsigned n = 0;
 
@@ -38,36 +53,47 @@
       for (unsigned x = w.x0; x < w.x1; x++)
         {
           struct sample sample = { .column = x, .row = image->rows - 1 - y };
-          if (places->moves_in_pixel || places->has_lens)
+          struct timed_pixel *pixel = [self timedAt: x : y];
+          BOOL moves = places->moves_in_pixel || places->has_lens;
+          pixel->next = pixel->sum;
+          if (moves)
             {
               ray_places_begin(places, sample.column, sample.row, 0);
-              ray_places_set(places, ray, &sample);
             }
-          at[n] = [self timedAt: x : y];
-          samples[n++] = sample;
+          for (unsigned ray = taken; ray < taken + step; ray++)
+            {
+              if (moves)
+                {
+                  ray_places_set(places, ray, &sample);
+                }
+              at[n] = pixel;
+              samples[n++] = sample;
+              if (n == EYE_RAYS)
+                {
+                  if (![self trace: samples : n into: at counters: count])
+                    {
+                      return NO;
+                    }
+                  n = 0;
+                }
+            }
         }
     }
-  [camera rays: rays : n of: samples];
-  [engine trace: rays : n counters: count];
-  for (unsigned i = 0; i < n; i++)
-    {
-      at[i]->pass = rays[i].color;
-    }
+  return n == 0 || [self trace: samples : n into: at counters: count];
 }
 
-/** Adds a tile of the last complete pass to the sums. */
+/** Makes a tile of the last complete pass count. */
 - (void) addTile: (unsigned)tile
 {
   struct window w = [self windowOf: tile];
-  unsigned rays = passes - 1;
 
   for (unsigned y = w.y0; y < w.y1; y++)
     {
       for (unsigned x = w.x0; x < w.x1; x++)
         {
           struct timed_pixel *pixel = [self timedAt: x : y];
-          pixel->sum = k_add(pixel->sum, pixel->pass);
-          if ((rays & (rays - 1)) == 0)
+          pixel->sum = pixel->next;
+          if ((taken & (taken - 1)) == 0)
             {
               pixel->half = pixel->whole;
               pixel->whole = pixel->sum;
@@ -78,8 +104,7 @@
 }
 
 /** A tile, block by block; NO if the time is up before its end. */
-- (BOOL) passTile: (struct window)w ray: (uint64_t)ray
-           places: (struct ray_places *)places
+- (BOOL) passTile: (struct window)w places: (struct ray_places *)places
          counters: (struct counters *)count
 {
   for (unsigned y = w.y0; y < w.y1; y += BLOCK_DOWN)
@@ -88,8 +113,7 @@
         {
           struct window block = { x, y, MIN(x + BLOCK_ACROSS, w.x1),
                                   MIN(y + BLOCK_DOWN, w.y1) };
-          [self block: block ray: ray places: places counters: count];
-          if (clock_seconds() > options.until)
+          if (![self block: block places: places counters: count])
             {
               return NO;
             }
@@ -104,7 +128,6 @@
   NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
   struct counters mine = { 0 };
   struct ray_places places = [self places];
-  BOOL is_first = passes == 0;
   unsigned tile;
 
   // The first pass goes through the pixels' points; those after it are the rays
@@ -112,17 +135,16 @@
   places.samples = 2;
   places.exposure = 1;
   places.rays = UINT32_MAX;
-  places.moves_in_pixel = !is_first;
+  places.moves_in_pixel = !is_first_pass;
   while ((tile = __atomic_fetch_add(&next_tile, 1, __ATOMIC_RELAXED))
          < tile_count)
     {
-      if (passes > 1)
+      if (taken > 0)
         {
           [self addTile: tile];
         }
-      if (![self passTile: [self windowOf: tile]
-                      ray: is_first ? 0 : passes - 1
-                   places: &places counters: &mine])
+      if (![self passTile: [self windowOf: tile] places: &places
+                 counters: &mine])
         {
           break;
         }
@@ -135,7 +157,7 @@
   [pool release];
 }
 
-/** One pass; NO if the time was up before it was complete. */
+/** One pass of `step` rays; NO if the time was up before it was complete. */
 - (BOOL) onePass
 {
   next_tile = tiles_done = 0;
@@ -158,7 +180,7 @@
 
   for (size_t i = 0; i < count; i++)
     {
-      image->pixels[i].color = timed[i].pass;
+      image->pixels[i].color = timed[i].next;
     }
   for (unsigned tile = 0; tile < tile_count; tile++)
     {
@@ -227,11 +249,11 @@
 /** The mean of each pixel, and how far it may be off. */
 - (void) stateTiles
 {
-  unsigned tile, rays = passes - 1;
+  unsigned tile;
   double gain = batches_gain(options.sampler == SAMPLER_RANDOM,
                              camera_has_lens(camera));
-  double share = halves_share(gain) * halves_rest(rays, gain);
-  double most = 1u << (31 - __builtin_clz(rays));
+  double share = halves_share(gain) * halves_rest(taken, gain);
+  double most = (double)halves_most(taken);
 
   while ((tile = __atomic_fetch_add(&next_tile, 1, __ATOMIC_RELAXED))
          < tile_count)
@@ -245,9 +267,9 @@
                                                  share: share];
               struct k_vec sum = [self timedAt: x : y]->sum;
               BOOL is_finite = k_norm1(sum) < HUGE_VAL;
-              [image pixelAt: x : y]->color = k_div(sum, (double)rays);
+              [image pixelAt: x : y]->color = k_div(sum, (double)taken);
               *[image plane: PLANE_SAMPLING at: x : y] = is_finite
-                ? batches_half_width(variance, rays, options.errors) : HUGE_VAL;
+                ? batches_half_width(variance, taken, options.errors) : HUGE_VAL;
             }
         }
     }
@@ -264,6 +286,8 @@
     {
       image->planes[PLANE_SAMPLING][i] = HUGE_VAL;
     }
+  is_first_pass = YES;
+  step = 1;
   if (![self onePass])
     {
       [self fillTiles];
@@ -271,24 +295,26 @@
     }
   for (size_t i = 0; i < count; i++)
     {
-      image->pixels[i].color = timed[i].pass;
+      image->pixels[i].color = timed[i].next;
     }
-  do
+  is_first_pass = NO;
+  while (taken < UINT32_MAX - step && [self onePass])
     {
-      passes++;
+      taken += step;
+      // A power of two, so that all of them are met; the last pass, which may be
+      // in vain, is less than a sixteenth of all.
+      step = taken < 32 ? 1 : (unsigned)halves_most(taken) / 16;
     }
-  while (passes < UINT32_MAX && [self onePass]);
   // Two rays are the least that are a picture of many.
-  if (passes < 3)
+  if (taken < 2)
     {
-      passes = 1;
+      taken = 1;
       return;
     }
   next_tile = 0;
   [self inThreads: @selector(addTiles)];
   next_tile = 0;
   [self inThreads: @selector(stateTiles)];
-  passes--;
 }
 
 @end

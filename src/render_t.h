@@ -20,9 +20,9 @@ enum { BLOCK_ACROSS = 8, BLOCK_DOWN = EYE_RAYS / BLOCK_ACROSS };
 /** What becomes of a pixel by passes. */
 struct timed_pixel
 {
-  struct k_vec pass;            // its colour by the pass under way
-  struct k_vec sum;             // by the passes before, but the first
-  struct k_vec half, whole;     // the sum of 2^(k-1) and of 2^k of them
+  struct k_vec sum;             // of the colours of complete passes
+  struct k_vec next;            // and of the pass under way
+  struct k_vec half, whole;     // of 2^(k-1) rays and of 2^k, the most there are
 };
 
 struct render_options
@@ -58,7 +58,9 @@ struct render_options
   struct timed_pixel *timed;    // timed only
   unsigned char *tile_is_there; // whether the pass under way has it
   unsigned char *tile_is_added; // whether its sums have the pass before
-  unsigned passes;              // that are complete
+  unsigned taken;               // rays through each pixel, in complete passes
+  unsigned step;                // in the pass under way
+  BOOL is_first_pass;           // through the pixels' points: never in the sums
 }
 
 /** Bytes of the stack of a thread that traces so many generations. */
@@ -85,7 +87,7 @@ struct render_options
 
 /** Passes over the whole picture until the time is up: the picture of one ray
     through the point of each pixel, and then as many rays through each as there
-    is time for: those of options.samples (and exposure 1) of that number, to
+    is time for, more at once the more there are: those of options.samples (and exposure 1) of that number, to
     the last bit. A pass that is not complete does not count; of the first one
     the missing tiles are filled from those beside them. */
 - (void) runTimed;

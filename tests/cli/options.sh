@@ -165,7 +165,7 @@ right --sampler random pin.mdl
 right --sampler owen --samples 3 lens.mdl
 right --sampler stratified --samples 3 lens.mdl
 right --noise 1/8 --confidence .9 lens.mdl
-right --time-limit .05 --confidence .9 lens.mdl
+right -q --time-limit .05 --confidence .9 lens.mdl
 right --noise .1 --sampler random --max-samples 100 pin.mdl
 right --exposure 3 lens.mdl
 right --crop 0,0,8,6 pin.mdl

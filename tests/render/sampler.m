@@ -3,6 +3,8 @@
 // eye ray.
 
 #import "support.h"
+#include "batches.h"
+#include "halves.h"
 #include "sampler.h"
 #include "test.h"
 
@@ -413,6 +415,29 @@ errors(void)
        "stratified, 50 places: errors %g, %g", edge, smooth);
 }
 
+/** How the error of numbers that are no powers of two is foretold (halves.h): at
+    an edge, from that of 32. */
+static void
+between(void)
+{
+  const unsigned counts[] = { 33, 40, 48, 56, 60, 63, 64, 96, 127 };
+  double error, smooth;
+
+  errors_of(SAMPLER_OWEN, 32, &error, &smooth);
+  for (unsigned i = 0; i < sizeof counts / sizeof *counts; i++)
+    {
+      unsigned n = counts[i];
+      double at, part = 32.0 / n;
+      double expected = error * part
+        * sqrt(halves_sum(n, batches_gain(NO, NO))
+               / halves_sum(32, batches_gain(NO, NO)));
+      errors_of(SAMPLER_OWEN, n, &at, &smooth);
+      PASS_NEAR(at, expected, 0.2 * expected, "owen, %u places: the error by"
+                " that of 32", n);
+    }
+  PASS_NEAR(halves_rest(48, 0.5), 32.0 / 48, 1e-15, "random ones: 1/n");
+}
+
 /** Parts of equal area, each with one point. */
 static void
 stratified(void)
@@ -496,6 +521,7 @@ main(void)
   together();
   stratified();
   errors();
+  between();
   lenses();
   [pool release];
   return test_done();
