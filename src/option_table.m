@@ -59,8 +59,8 @@ const struct option option_table[] = {
             " error.sampling and samples" },
   { .name = "confidence", .value = "C", .kind = OPTION_NUMBER,
     .offset = AT(confidence), .low = 0.5, .high = 0.9999, .is_shaping = YES,
-    .help = "the share of pixels whose error is at most what --noise states,"
-            " 0.95 unless given" },
+    .help = "the share of pixels whose error is at most what --noise or"
+            " --time-limit states, 0.95 unless given" },
   { .name = "max-samples", .value = "N", .kind = OPTION_WHOLE,
     .offset = AT(max_samples), .count = 1, .least = BATCHES,
     .most = 1000 * MILLION, .is_shaping = YES,
