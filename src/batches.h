@@ -1,7 +1,10 @@
 // batches.h - the mean of a pixel from independent batches of rays, and how
 // far it may be from the true one. Every batch spreads its rays evenly by
 // itself, so its mean is better than that of as many random rays; how far the
-// batches' means are apart says how good their own mean is.
+// batches' means are apart says how good their own mean is. What so few say is
+// weighed against what the pixels around and shorter batches lead to expect
+// (Smyth, "Linear models and empirical Bayes methods", 2004, calls that a
+// moderated t).
 
 #ifndef BATCHES_H
 #define BATCHES_H
@@ -10,24 +13,22 @@
 #include "student.h"
 
 /** Few batches are long ones, and rays that belong together are the better
-    spread the more they are; but the error of few numbers is itself not well
-    known. */
-enum { BATCHES = 9 };
+    spread the more they are. */
+enum { BATCHES = 4 };
 
-/** The fewest rays that each batch begins with; then twice as many, and so
-    on. */
-enum { BATCH_START = 4 };
+/** What variances are worth, in degrees of freedom: one more than those of the
+    batches, and as many as three times theirs for what was expected. */
+enum { BATCHES_FREEDOM = 4 * (BATCHES - 1) };
 
-/** The rays that each batch begins with for an error of at most `limit`. What
-    is too small for all of them to meet it is not seen, so there are one or
-    more for each part of the pixel as large as the limit; three or more when
-    they are random (of 3/p random rays 1 in 20 times none meets a part p). No
-    more than `most` in all. */
+/** The rays that each batch begins with for an error of at most `limit`: so
+    many that one which none of them is like (batches_half_width) is allowed for;
+    three times as many when they are random (of 3/p random rays 1 in 20 times
+    none meets a part p). No more than `most` in all. */
 static inline unsigned
 batches_start(double limit, int is_random, unsigned most)
 {
-  double needed = (is_random ? 3 : 1) / limit;
-  unsigned length = BATCH_START;
+  double needed = (is_random ? 3 : 1) / (2 * limit);
+  unsigned length = 1;
 
   while (BATCHES * length < needed && 2.0 * BATCHES * length <= most)
     {
@@ -40,7 +41,6 @@ struct batches
 {
   struct k_vec sums[BATCHES];   // of the colours of each batch's rays
   unsigned length;              // rays in each
-  double last;                  // standard error when they were half as long
 };
 
 /** The mean of all rays. */
@@ -56,59 +56,70 @@ batches_mean(const struct batches *b)
   return k_div(sum, (double)BATCHES * b->length);
 }
 
-static inline double
-batches_spread(const double *sums)
+static inline struct k_vec
+batches_square(struct k_vec a)
 {
-  double mean = 0, squares = 0;
+  return k_vec(a.x * a.x, a.y * a.y, a.z * a.z);
+}
+
+/** The variance of the mean, of each channel, from what the batches differ. */
+static inline struct k_vec
+batches_variance(const struct batches *b)
+{
+  struct k_vec mean = batches_mean(b), squares = k_vec(0, 0, 0);
 
   for (unsigned i = 0; i < BATCHES; i++)
     {
-      mean += sums[3 * i] / BATCHES;
+      struct k_vec off = k_sub(k_div(b->sums[i], b->length), mean);
+      squares = k_add(squares, batches_square(off));
     }
-  for (unsigned i = 0; i < BATCHES; i++)
-    {
-      squares += (sums[3 * i] - mean) * (sums[3 * i] - mean);
-    }
-  return sqrt(squares / (BATCHES * (BATCHES - 1)));
+  return k_div(squares, BATCHES * (BATCHES - 1));
 }
 
-/** How much smaller a standard error becomes with batches twice as long:
-    between 2^(-3/4), at edges, and 2^(-5/4), where the picture is smooth; or
-    2^(-1/2) when rays are random. */
-static inline double
-batches_gain(int is_random)
+/** Whether it is a number in each channel: not of a pixel that is infinite. */
+static inline int
+batches_is_finite(struct k_vec variance)
 {
-  return is_random ? 0.70710678118654752 : 0.5;
+  return variance.x + variance.y + variance.z < HUGE_VAL;
 }
 
-/** The standard error of the mean, of the channel where it is the largest;
-    infinite when the colours are, or are no numbers. Who stops when an error is
-    small stops more often when it only seems so; so it is no smaller than the
-    one before lets expect. To be asked once for each length. */
+/** How much smaller the variance becomes with batches twice as long: 2^-1 when
+    rays are random; else 2^-(1 + 1/d) where an edge is in d dimensions (He and
+    Wang, "On the convergence rate of randomized quasi-Monte Carlo for
+    discontinuous functions", 2015), less where the picture is smooth. Two in
+    the pixel; with two more on the lens, what the four scenes that this was
+    chosen on have. */
 static inline double
-batches_error(struct batches *b, int is_random)
+batches_gain(int is_random, int has_lens)
 {
-  double x = batches_spread(&b->sums[0].x);
-  double y = batches_spread(&b->sums[0].y);
-  double z = batches_spread(&b->sums[0].z);
-  double most = x > y ? x : y;
-  double expected = b->last * batches_gain(is_random);
-
-  most = (most > z ? most : z) / b->length;
-  b->last = x + y + z < HUGE_VAL ? most : HUGE_VAL;
-  return b->last > expected ? b->last : expected;
+  return is_random ? 0.5 : has_lens ? 0.375 : 0.35355339059327376;
 }
 
-/** The half-width of the interval of `errors` standard errors. What none of
-    the rays meets is not in it: one ray that differs by 1 is always allowed
-    for. */
+/** That of the channel where it is largest. */
 static inline double
-batches_half_width(struct batches *b, int is_random, double errors)
+batches_largest(struct k_vec variance)
 {
-  double width = errors * batches_error(b, is_random);
-  double unseen = 1 / ((double)BATCHES * b->length);
+  return k_max2(variance.x, k_max2(variance.y, variance.z));
+}
 
-  return width > unseen ? width : unseen;
+/** A variance as it is to be used: one part what the batches say, three parts
+    what was expected. */
+static inline struct k_vec
+batches_moderate(struct k_vec expected, struct k_vec found)
+{
+  return k_div(k_add(k_scale(expected, 3), found), 4);
+}
+
+/** The half-width of the interval of `errors` standard errors, in the channel
+    where it is largest; infinite when the colours are, or are no numbers. What
+    none of the rays meets is not in it: half a ray that differs by 1 is always
+    allowed for, as a share of n rays is known to that. */
+static inline double
+batches_half_width(struct k_vec variance, double rays, double errors)
+{
+  return batches_is_finite(variance)
+    ? k_max2(errors * sqrt(batches_largest(variance)), 1 / (2 * rays))
+    : HUGE_VAL;
 }
 
 #endif

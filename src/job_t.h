@@ -21,6 +21,7 @@
   NSString *sceneHash;
   image_t *image;
   brightest_t *brightest;       // model->cut's
+  BOOL isTimed;                 // by --time-limit, which keepSamples forgets
 }
 
 - (id) init: (options_t *)options;

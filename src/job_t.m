@@ -78,7 +78,8 @@
   BOOL is_cut = settings->min_weight >= 0 || settings->max_error > 0;
 
   return (unsigned)settings->aovs | (is_cut ? AOV_TRUNCATION : 0)
-    | (settings->noise > 0 ? AOV_SAMPLING | AOV_SAMPLES : 0);
+    | (settings->noise > 0 ? AOV_SAMPLING | AOV_SAMPLES : 0)
+    | (isTimed ? AOV_SAMPLING : 0);
 }
 
 /** Whether somebody beside the kernel asks all objects. */
@@ -260,6 +261,8 @@
 {
   struct settings *settings = &options->settings;
 
+  stats->noise = noise_facts_of(image, HUGE_VAL);
+  stats->noise.rays = stats->noise.pixels * samples;
   settings->time_limit = 0;
   settings->samples = samples;
   settings->exposure = model->camera->has_lens ? 1 : 0;
@@ -270,8 +273,13 @@
     }
   else if (!settings->quiet)
     {
-      fprintf(stderr, "raytrace: --time-limit: %u ray%s through each pixel\n",
+      fprintf(stderr, "raytrace: --time-limit: %u ray%s through each pixel",
               samples, samples == 1 ? "" : "s");
+      if (samples > 1)
+        {
+          fprintf(stderr, ", stated error %.2g", stats->noise.rms);
+        }
+      fputs("\n", stderr);
     }
 }
 
@@ -288,7 +296,7 @@
     .sampler = (enum sampler)settings->sampler,
     .noise = settings->noise,
     .errors = student_quantile(settings->confidence > 0
-                               ? settings->confidence : 0.95, BATCHES - 1),
+                               ? settings->confidence : 0.95, BATCHES_FREEDOM),
     .max_samples = settings->max_samples ? (unsigned)settings->max_samples
     : 65536
   };
@@ -334,6 +342,13 @@
   cut->most_count = brightest->count;
 }
 
+/** The picture as what is written wants it. */
+- (enum keep) keep
+{
+  return [self explains] ? KEEP_DOUBLES
+    : options->format == FORMAT_EXR ? KEEP_FLOATS : KEEP_BYTES;
+}
+
 /** What a pixel takes at most, from the first ray to the file, which is made
     whole in memory and may be as large as what goes into it. */
 - (size_t) bytesOfPixel
@@ -341,8 +356,7 @@
   const struct exr_channel *found[EXR_CHANNELS];
   unsigned aovs = [self aovs];
 
-  return [image_t bytesOfPixel: options->format == FORMAT_EXR ? KEEP_FLOATS
-           : KEEP_BYTES]
+  return [image_t bytesOfPixel: [self keep]]
     + (aovs & AOV_SURFACES ? sizeof(struct surface_pixel) : 0)
     + (aovs & AOV_TRUNCATION ? sizeof(double) : 0)
     + (aovs & AOV_SAMPLING ? 2 * sizeof(double) : 0)
@@ -391,13 +405,6 @@
   return YES;
 }
 
-/** The picture as what is written wants it. */
-- (enum keep) keep
-{
-  return [self explains] ? KEEP_DOUBLES
-    : options->format == FORMAT_EXR ? KEEP_FLOATS : KEEP_BYTES;
-}
-
 - (BOOL) trace: (NSError **)error
 {
   const struct settings *settings = &options->settings;
@@ -423,9 +430,13 @@
     {
       return NO;
     }
-  if (settings->noise > 0
-      && !([image addPlane: PLANE_SAMPLING error: error]
-           && [image addPlane: PLANE_SAMPLES error: error]))
+  isTimed = settings->time_limit > 0;
+  if ((settings->noise > 0 || isTimed)
+      && ![image addPlane: PLANE_SAMPLING error: error])
+    {
+      return NO;
+    }
+  if (settings->noise > 0 && ![image addPlane: PLANE_SAMPLES error: error])
     {
       return NO;
     }

@@ -1,5 +1,4 @@
-// noise_facts.h - what an adaptive picture says of its own errors, in numbers
-// for --stats.
+// noise_facts.h - what a picture says of its own errors, in numbers for --stats.
 
 #ifndef NOISE_FACTS_H
 #define NOISE_FACTS_H
@@ -13,7 +12,8 @@ struct noise_facts
   uint64_t capped;      // pixels whose stated error is above the limit
 };
 
-/** Of a picture with the planes PLANE_SAMPLING and PLANE_SAMPLES. */
+/** Of a picture with the planes PLANE_SAMPLING and PLANE_SAMPLES; without the
+    latter no rays. */
 struct noise_facts noise_facts_of(image_t *image, double limit);
 
 #endif

@@ -12,7 +12,8 @@ noise_facts_of(image_t *image, double limit)
   for (uint64_t i = 0; i < facts.pixels; i++)
     {
       double error = MIN(image->planes[PLANE_SAMPLING][i], FLT_MAX);
-      facts.rays += (uint64_t)image->planes[PLANE_SAMPLES][i];
+      facts.rays += image->planes[PLANE_SAMPLES]
+        ? (uint64_t)image->planes[PLANE_SAMPLES][i] : 0;
       facts.largest = MAX(facts.largest, error);
       facts.capped += error > limit;
       squares += error * error;

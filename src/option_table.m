@@ -1,6 +1,7 @@
 // option_table.m - all options of the command line.
 
 #import "option.h"
+#include "batches.h"
 #include <stddef.h>
 
 #define AT(member) offsetof(struct settings, member)
@@ -58,11 +59,11 @@ const struct option option_table[] = {
             " error.sampling and samples" },
   { .name = "confidence", .value = "C", .kind = OPTION_NUMBER,
     .offset = AT(confidence), .low = 0.5, .high = 0.9999, .is_shaping = YES,
-    .help = "the share of pixels whose error is at most what --noise states,"
-            " 0.95 unless given" },
+    .help = "the share of pixels whose error is at most what --noise or"
+            " --time-limit states, 0.95 unless given" },
   { .name = "max-samples", .value = "N", .kind = OPTION_WHOLE,
-    .offset = AT(max_samples), .count = 1, .least = 36, .most = 1000 * MILLION,
-    .is_shaping = YES,
+    .offset = AT(max_samples), .count = 1, .least = BATCHES,
+    .most = 1000 * MILLION, .is_shaping = YES,
     .help = "most rays through a pixel with --noise, 65536 unless given" },
   { .name = "time-limit", .value = "S", .kind = OPTION_NUMBER,
     .offset = AT(time_limit), .high = 1e6, .is_above_low = YES,

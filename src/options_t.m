@@ -254,11 +254,14 @@ is_square(uint64_t n)
         @" '--samples', '--exposure', '--noise', '--aov', '--max-error' and"
         @" '--min-weight', and with sampler owen or random";
     }
-  if (settings.noise == 0 && (settings.confidence > 0 || settings.max_samples))
+  if (settings.noise == 0 && settings.max_samples)
     {
-      return [NSString stringWithFormat: @"option '%s' needs '--noise'",
-                       settings.max_samples ? "--max-samples"
-                       : "--confidence"];
+      return @"option '--max-samples' needs '--noise'";
+    }
+  if (settings.noise == 0 && settings.time_limit == 0
+      && settings.confidence > 0)
+    {
+      return @"option '--confidence' needs '--noise' or '--time-limit'";
     }
   if (settings.check || settings.format_scene || settings.plan || explains)
     {

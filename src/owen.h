@@ -3,11 +3,17 @@
 // (t,m,s)-nets", 1995). Every 2^k of them, from a multiple of 2^k on, has one
 // point in each of the 2^k parts of any grid of 2^a x 2^(k-a); each point by
 // itself is anywhere. Whole numbers only.
+//
+// Two numbers more, of the third and fourth dimension, make points of a cube of
+// four: a place on the lens and one in the pixel, so that each place on the
+// lens meets all places in the pixel evenly. Every 2^k of those, k above 2,
+// have 8 points in each of the 2^(k-3) parts of any grid of halvings.
 
 #ifndef OWEN_H
 #define OWEN_H
 
 #include "sampler.h"
+#include "sobol.h"
 
 /** What makes two sequences different: one such for each pair of
     dimensions. */
@@ -45,19 +51,6 @@ owen_scramble(uint32_t x, uint64_t key)
   return x;
 }
 
-/** Sobol's second dimension: digit r is the sum of the index's bits j with an
-    odd binomial coefficient (j over r), and that is odd when r has no bit that
-    j has not (Lucas). */
-static inline uint32_t
-owen_second(uint32_t index)
-{
-  index ^= index >> 1 & 0x55555555u;
-  index ^= index >> 2 & 0x33333333u;
-  index ^= index >> 4 & 0x0f0f0f0fu;
-  index ^= index >> 8 & 0x00ff00ffu;
-  return index ^ index >> 16;
-}
-
 /** The sequence of a pixel for a pair of dimensions, the first of which is
     named. Batches are independent of each other. */
 static inline struct owen
@@ -72,16 +65,35 @@ owen_sequence(uint64_t seed, unsigned column, unsigned row, uint64_t batch,
   };
 }
 
+/** Where point `index` comes in Sobol's order: in another one, in which 2^k
+    points that belong together stay together. */
+static inline uint32_t
+owen_index(const struct owen *sequence, uint32_t index)
+{
+  return owen_reverse(owen_scramble(owen_reverse(index), sequence->order));
+}
+
 /** Point number `index`: multiples of 2^-32 in [0, 1). */
 static inline void
 owen_point(const struct owen *sequence, uint32_t index, double *a, double *b)
 {
-  // Another order, in which 2^k points that belong together stay together.
-  uint32_t i = owen_reverse(owen_scramble(owen_reverse(index),
-                                          sequence->order));
+  uint32_t i = owen_index(sequence, index);
 
   *a = owen_reverse(owen_scramble(i, sequence->across)) * 0x1p-32;
-  *b = owen_reverse(owen_scramble(owen_second(i), sequence->up)) * 0x1p-32;
+  *b = owen_reverse(owen_scramble(sobol_second(i), sequence->up)) * 0x1p-32;
+}
+
+/** The same of the third and fourth dimension: beside the points of a sequence
+    of the same order. */
+static inline void
+owen_point_beside(const struct owen *sequence, uint32_t index, double *a,
+                  double *b)
+{
+  uint32_t third, fourth;
+
+  sobol_third_and_fourth(owen_index(sequence, index), &third, &fourth);
+  *a = owen_reverse(owen_scramble(third, sequence->across)) * 0x1p-32;
+  *b = owen_reverse(owen_scramble(fourth, sequence->up)) * 0x1p-32;
 }
 
 #endif

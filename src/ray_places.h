@@ -47,6 +47,10 @@ ray_places_begin(struct ray_places *p, unsigned column, unsigned row,
       p->pixel = owen_sequence(p->seed, column, row, batch,
                                DIMENSION_PIXEL_RIGHT);
       p->lens = owen_sequence(p->seed, column, row, batch, DIMENSION_LENS_U);
+      if (p->has_lens)
+        {
+          p->pixel.order = p->lens.order;       // together in four dimensions
+        }
     }
   else if (p->sampler == SAMPLER_STRATIFIED)
     {
@@ -90,7 +94,14 @@ ray_places_in_pixel(const struct ray_places *p, uint64_t s, double *a,
   switch (p->sampler)
     {
     case SAMPLER_OWEN:
-      owen_point(&p->pixel, (uint32_t)s, a, b);
+      if (p->has_lens)
+        {
+          owen_point_beside(&p->pixel, (uint32_t)s, a, b);
+        }
+      else
+        {
+          owen_point(&p->pixel, (uint32_t)s, a, b);
+        }
       return;
     case SAMPLER_RANDOM:
       *a = ray_places_random(p, s, DIMENSION_PIXEL_RIGHT);

@@ -1,41 +1,51 @@
 // render_t+timed.m - --time-limit: the best picture there is time for. Whole
-// passes only, each one ray through every pixel, in the order in which
-// --samples would take them: their sums are the same bits.
+// passes only, each one ray or more through every pixel, in the order in which
+// --samples would take them: their sums are the same bits. The sums of a pass
+// become those of the picture tile by tile while the next one is under way.
 
 #import "render_t.h"
 #import "camera_t.h"
+#include "around.h"
+#include "batches.h"
 #include "clock.h"
 #include "grow.h"
-
-// As in render_t.m.
-enum { TILE_SIDE = 16, ACROSS = 8, DOWN = EYE_RAYS / ACROSS };
+#include "halves.h"
 
 @implementation render_t (timed)
 
 - (unsigned) samplesDone
 {
-  return passes;
+  return taken;
 }
 
-- (struct window) windowOf: (unsigned)tile
+- (struct timed_pixel *) timedAt: (unsigned)x : (unsigned)y
 {
-  struct window w;
-
-  w.x0 = image->window.x0 + tile % tiles_across * TILE_SIDE;
-  w.y0 = image->window.y0 + tile / tiles_across * TILE_SIDE;
-  w.x1 = MIN(w.x0 + TILE_SIDE, image->window.x1);
-  w.y1 = MIN(w.y0 + TILE_SIDE, image->window.y1);
-  return w;
+  return timed + image_at(image, x, y);
 }
 
-/** The colours of the pixels of a block, at most EYE_RAYS, by ray number `ray`
-    of each. */
-- (void) block: (struct window)w ray: (uint64_t)ray
-        places: (struct ray_places *)places counters: (struct counters *)count
+/** Traces rays and adds each colour to its pixel, in order; NO if the time is up
+    then. */
+- (BOOL) trace: (const struct sample *)samples : (unsigned)n
+           into: (struct timed_pixel **)at counters: (struct counters *)count
+{
+  struct eye_ray rays[EYE_RAYS];
+
+  [camera rays: rays : n of: samples];
+  [engine trace: rays : n counters: count];
+  for (unsigned i = 0; i < n; i++)
+    {
+      at[i]->next = k_add(at[i]->next, rays[i].color);
+    }
+  return clock_seconds() <= options.until;
+}
+
+/** A block of a tile: `step` rays through each pixel, after those it has; NO if
+    the time is up before its end. */
+- (BOOL) block: (struct window)w places: (struct ray_places *)places
+      counters: (struct counters *)count
 {
   struct sample samples[EYE_RAYS];
-  struct eye_ray rays[EYE_RAYS];
-  size_t at[EYE_RAYS];
+  struct timed_pixel *at[EYE_RAYS];
   unsigned n = 0;
 
   for (unsigned y = w.y0; y < w.y1; y++)
@@ -43,36 +53,67 @@ enum { TILE_SIDE = 16, ACROSS = 8, DOWN = EYE_RAYS / ACROSS };
       for (unsigned x = w.x0; x < w.x1; x++)
         {
           struct sample sample = { .column = x, .row = image->rows - 1 - y };
-          if (places->moves_in_pixel || places->has_lens)
+          struct timed_pixel *pixel = [self timedAt: x : y];
+          BOOL moves = places->moves_in_pixel || places->has_lens;
+          pixel->next = pixel->sum;
+          if (moves)
             {
               ray_places_begin(places, sample.column, sample.row, 0);
-              ray_places_set(places, ray, &sample);
             }
-          at[n] = image_at(image, x, y);
-          samples[n++] = sample;
+          for (unsigned ray = taken; ray < taken + step; ray++)
+            {
+              if (moves)
+                {
+                  ray_places_set(places, ray, &sample);
+                }
+              at[n] = pixel;
+              samples[n++] = sample;
+              if (n == EYE_RAYS)
+                {
+                  if (![self trace: samples : n into: at counters: count])
+                    {
+                      return NO;
+                    }
+                  n = 0;
+                }
+            }
         }
     }
-  [camera rays: rays : n of: samples];
-  [engine trace: rays : n counters: count];
-  for (unsigned i = 0; i < n; i++)
+  return n == 0 || [self trace: samples : n into: at counters: count];
+}
+
+/** Makes a tile of the last complete pass count. */
+- (void) addTile: (unsigned)tile
+{
+  struct window w = [self windowOf: tile];
+
+  for (unsigned y = w.y0; y < w.y1; y++)
     {
-      pass[at[i]] = rays[i].color;
+      for (unsigned x = w.x0; x < w.x1; x++)
+        {
+          struct timed_pixel *pixel = [self timedAt: x : y];
+          pixel->sum = pixel->next;
+          if ((taken & (taken - 1)) == 0)
+            {
+              pixel->half = pixel->whole;
+              pixel->whole = pixel->sum;
+            }
+        }
     }
+  tile_is_added[tile] = 1;
 }
 
 /** A tile, block by block; NO if the time is up before its end. */
-- (BOOL) passTile: (struct window)w ray: (uint64_t)ray
-           places: (struct ray_places *)places
+- (BOOL) passTile: (struct window)w places: (struct ray_places *)places
          counters: (struct counters *)count
 {
-  for (unsigned y = w.y0; y < w.y1; y += DOWN)
+  for (unsigned y = w.y0; y < w.y1; y += BLOCK_DOWN)
     {
-      for (unsigned x = w.x0; x < w.x1; x += ACROSS)
+      for (unsigned x = w.x0; x < w.x1; x += BLOCK_ACROSS)
         {
-          struct window block = { x, y, MIN(x + ACROSS, w.x1),
-                                  MIN(y + DOWN, w.y1) };
-          [self block: block ray: ray places: places counters: count];
-          if (clock_seconds() > options.until)
+          struct window block = { x, y, MIN(x + BLOCK_ACROSS, w.x1),
+                                  MIN(y + BLOCK_DOWN, w.y1) };
+          if (![self block: block places: places counters: count])
             {
               return NO;
             }
@@ -87,7 +128,6 @@ enum { TILE_SIDE = 16, ACROSS = 8, DOWN = EYE_RAYS / ACROSS };
   NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
   struct counters mine = { 0 };
   struct ray_places places = [self places];
-  BOOL is_first = passes == 0;
   unsigned tile;
 
   // The first pass goes through the pixels' points; those after it are the rays
@@ -95,13 +135,16 @@ enum { TILE_SIDE = 16, ACROSS = 8, DOWN = EYE_RAYS / ACROSS };
   places.samples = 2;
   places.exposure = 1;
   places.rays = UINT32_MAX;
-  places.moves_in_pixel = !is_first;
+  places.moves_in_pixel = !is_first_pass;
   while ((tile = __atomic_fetch_add(&next_tile, 1, __ATOMIC_RELAXED))
          < tile_count)
     {
-      if (![self passTile: [self windowOf: tile]
-                      ray: is_first ? 0 : passes - 1
-                   places: &places counters: &mine])
+      if (taken > 0)
+        {
+          [self addTile: tile];
+        }
+      if (![self passTile: [self windowOf: tile] places: &places
+                 counters: &mine])
         {
           break;
         }
@@ -114,13 +157,18 @@ enum { TILE_SIDE = 16, ACROSS = 8, DOWN = EYE_RAYS / ACROSS };
   [pool release];
 }
 
-/** One pass; NO if the time was up before it was complete. */
+/** One pass of `step` rays; NO if the time was up before it was complete. */
 - (BOOL) onePass
 {
   next_tile = tiles_done = 0;
   memset(tile_is_there, 0, tile_count);
   [self inThreads: @selector(passTiles)];
-  return tiles_done == tile_count;
+  if (tiles_done < tile_count)
+    {
+      return NO;
+    }
+  memset(tile_is_added, 0, tile_count);
+  return YES;
 }
 
 /** The picture of a pass. Tiles that are not there get the colours of the last
@@ -141,7 +189,77 @@ enum { TILE_SIDE = 16, ACROSS = 8, DOWN = EYE_RAYS / ACROSS };
             {
               unsigned from_x = MIN(v.x0 + (x - w.x0), v.x1 - 1);
               unsigned from_y = MIN(v.y0 + (y - w.y0), v.y1 - 1);
-              row[x - w.x0] = pass[image_at(image, from_x, from_y)];
+              row[x - w.x0] = [self timedAt: from_x : from_y]->next;
+            }
+          [image put: row : w.x1 - w.x0 at: w.x0 : y];
+        }
+    }
+}
+
+/** Adds what is missing of the last pass. */
+- (void) addTiles
+{
+  unsigned tile;
+
+  while ((tile = __atomic_fetch_add(&next_tile, 1, __ATOMIC_RELAXED))
+         < tile_count)
+    {
+      if (!tile_is_added[tile])
+        {
+          [self addTile: tile];
+        }
+    }
+}
+
+/** The variance of the pixel's mean, of each channel, as its halves and those of
+    the pixels around say; `most` rays are in both, and `share` is what the square
+    of their difference is worth. */
+- (struct k_vec) varianceAt: (unsigned)x : (unsigned)y most: (double)most
+                      share: (double)share
+{
+  struct window one = { x, y, x + 1, y + 1 }, w = image->window;
+  struct window near = around_window(one, w);
+  struct around a = { .weight = 0 };
+
+  for (unsigned row = near.y0; row < near.y1; row++)
+    {
+      for (unsigned column = near.x0; column < near.x1; column++)
+        {
+          const struct timed_pixel *pixel = [self timedAt: column : row];
+          struct k_vec off = k_div(k_sub(k_scale(pixel->half, 2), pixel->whole),
+                                   most / 2);
+          around_add(&a, (int)column - (int)x, (int)row - (int)y, 1,
+                     batches_square(off));
+        }
+    }
+  return k_scale(a.sum, share / a.weight);
+}
+
+/** The mean of each pixel, and how far it may be off. */
+- (void) stateTiles
+{
+  unsigned tile;
+  double gain = batches_gain(options.sampler == SAMPLER_RANDOM,
+                             camera_has_lens(camera));
+  double share = halves_share(gain) * halves_rest(taken, gain);
+  double most = (double)halves_most(taken);
+
+  while ((tile = __atomic_fetch_add(&next_tile, 1, __ATOMIC_RELAXED))
+         < tile_count)
+    {
+      struct window w = [self windowOf: tile];
+      for (unsigned y = w.y0; y < w.y1; y++)
+        {
+          struct k_vec row[TILE_SIDE];
+          for (unsigned x = w.x0; x < w.x1; x++)
+            {
+              struct k_vec variance = [self varianceAt: x : y most: most
+                                                 share: share];
+              struct k_vec sum = [self timedAt: x : y]->sum;
+              BOOL is_finite = k_norm1(sum) < HUGE_VAL;
+              row[x - w.x0] = k_div(sum, (double)taken);
+              *[image plane: PLANE_SAMPLING at: x : y] = is_finite
+                ? batches_half_width(variance, taken, options.errors) : HUGE_VAL;
             }
           [image put: row : w.x1 - w.x0 at: w.x0 : y];
         }
@@ -151,39 +269,41 @@ enum { TILE_SIDE = 16, ACROSS = 8, DOWN = EYE_RAYS / ACROSS };
 - (void) runTimed
 {
   size_t count = (size_t)[image width] * [image height];
-  unsigned rays = 0;            // in the sums, beside the first pass
 
-  pass = new_array(count, sizeof *pass);
+  timed = new_array(count, sizeof *timed);
   tile_is_there = new_array(tile_count, 1);
+  tile_is_added = new_array(tile_count, 1);
+  for (size_t i = 0; i < count; i++)
+    {
+      image->planes[PLANE_SAMPLING][i] = HUGE_VAL;
+    }
+  is_first_pass = YES;
+  step = 1;
   BOOL is_complete = [self onePass];
   [self putTiles];
   if (!is_complete)
     {
       return;
     }
-  struct k_vec *sums = new_array(count, sizeof *sums);
-  for (passes = 1; passes < UINT32_MAX && [self onePass]; passes++)
+  is_first_pass = NO;
+  while (taken < UINT32_MAX - step && [self onePass])
     {
-      for (size_t i = 0; i < count; i++)
-        {
-          sums[i] = k_add(sums[i], pass[i]);
-        }
-      rays = passes;
+      taken += step;
+      // A power of two, so that all of them are met; the last pass, which may be
+      // in vain, is less than a sixteenth of all.
+      step = taken < 32 ? 1 : (unsigned)halves_most(taken) / 16;
     }
-  // Two rays are the least that are a picture of many; it is instead of that of
-  // the first pass.
-  image->nanCount = rays > 1 ? 0 : image->nanCount;
-  for (size_t i = 0; rays > 1 && i < count; i++)
+  // Two rays are the least that are a picture of many.
+  if (taken < 2)
     {
-      sums[i] = k_div(sums[i], (double)rays);
+      taken = 1;
+      return;
     }
-  for (unsigned y = image->window.y0; rays > 1 && y < image->window.y1; y++)
-    {
-      [image put: &sums[image_at(image, image->window.x0, y)] : [image width]
-              at: image->window.x0 : y];
-    }
-  passes = rays > 1 ? rays : 1;
-  free(sums);
+  image->nanCount = 0;          // of the first pass, which they replace
+  next_tile = 0;
+  [self inThreads: @selector(addTiles)];
+  next_tile = 0;
+  [self inThreads: @selector(stateTiles)];
 }
 
 @end

@@ -4,7 +4,26 @@
 
 #import <Foundation/Foundation.h>
 #import "engine_t.h"
+#include "pilots.h"
 #include "ray_places.h"
+
+/** Pixels of one side of a tile: large enough that taking the next one costs
+    nothing, small enough that the last ones keep all threads busy. */
+enum { TILE_SIDE = 16 };
+
+/** Pixels of a block, whose rays are traced together: across and down. */
+enum { BLOCK_ACROSS = 8, BLOCK_DOWN = EYE_RAYS / BLOCK_ACROSS };
+
+/** Bytes that each thread's stack has at least. */
+#define RENDER_STACK_LEAST ((size_t)64 << 20)
+
+/** What becomes of a pixel by passes. */
+struct timed_pixel
+{
+  struct k_vec sum;             // of the colours of complete passes
+  struct k_vec next;            // and of the pass under way
+  struct k_vec half, whole;     // of 2^(k-1) rays and of 2^k, the most there are
+};
 
 struct render_options
 {
@@ -30,12 +49,18 @@ struct render_options
   struct render_options options;
   struct counters counters;     // of all threads, after run
 @protected
-  unsigned tile_count, tiles_across;
+  struct window area;           // that is being worked on, tile by tile
+  unsigned tile_count, tiles_across;    // of it
+  unsigned all_tiles;           // of the image
   unsigned next_tile, tiles_done;       // atomic
   NSLock *lock;                 // of counters
-  struct k_vec *pass;           // colours of the pass under way; timed only
-  unsigned char *tile_is_there; // whether the pass has it
-  unsigned passes;              // that are complete
+  struct pilots pilots;         // adaptive only
+  struct timed_pixel *timed;    // timed only
+  unsigned char *tile_is_there; // whether the pass under way has it
+  unsigned char *tile_is_added; // whether its sums have the pass before
+  unsigned taken;               // rays through each pixel, in complete passes
+  unsigned step;                // in the pass under way
+  BOOL is_first_pass;           // through the pixels' points: never in the sums
 }
 
 /** Bytes of the stack of a thread that traces so many generations. */
@@ -53,13 +78,16 @@ struct render_options
 /** Where rays go, of no pixel yet. */
 - (struct ray_places) places;
 
+/** What each thread does: takes tiles of the area until there are none left. */
+- (void) work;
+
 @end
 
 @interface render_t (timed)
 
 /** Passes over the whole picture until the time is up: the picture of one ray
     through the point of each pixel, and then as many rays through each as there
-    is time for: those of options.samples (and exposure 1) of that number, to
+    is time for, more at once the more there are: those of options.samples (and exposure 1) of that number, to
     the last bit. A pass that is not complete does not count; of the first one
     the missing tiles are filled from those beside them. */
 - (void) runTimed;
@@ -71,15 +99,25 @@ struct render_options
 
 @interface render_t (threads)
 
+/** The area to be worked on from now on, none of it done. */
+- (void) cover: (struct window)w;
+
 /** Does the work in all threads and waits for them. */
 - (void) inThreads: (SEL)work;
+
+/** A tile of the area. */
+- (struct window) windowOf: (unsigned)tile;
 
 @end
 
 @interface render_t (adaptive)
 
-/** The pixels of a window, at most 32, with as many rays as each needs. The
-    image has the planes PLANE_SAMPLES and PLANE_SAMPLING. */
+/** All pixels of the image's window, with as many rays as each needs. The image
+    has the planes PLANE_SAMPLES and PLANE_SAMPLING. */
+- (void) runAdaptive;
+
+/** The pixels of a window, at most 32, whose pilots and those around them are
+    there. */
 - (void) adaptivePixelsOf: (struct window)w
                  counters: (struct counters *)count;
 

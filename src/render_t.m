@@ -1,21 +1,10 @@
 #import "render_t.h"
 #import "camera_t.h"
-#include "grow.h"
-#include <pthread.h>
-
-// Pixels of one side of a tile: large enough that taking the next one costs
-// nothing, small enough that the last ones keep all threads busy.
-#define TILE 16
-
-// Pixels of a block, whose rays are traced together: across and down.
-#define ACROSS 8
-#define DOWN (EYE_RAYS / ACROSS)
 
 // Bytes of a thread's stack: rays are traced by recursion, and deep ones in
 // many media at once need more than threads commonly have. A generation takes
 // about 1 KB in either engine, and several times that without optimisation or
 // with sanitizers; only what is used becomes memory.
-#define STACK_LEAST ((size_t)64 << 20)
 #if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
 #define STACK_GENERATION ((size_t)24 << 10)
 #else
@@ -28,7 +17,7 @@
 {
   size_t size = generations * STACK_GENERATION;
 
-  return MAX(size, STACK_LEAST);
+  return MAX(size, RENDER_STACK_LEAST);
 }
 
 - (id) init: (id <engine_t>)anEngine camera: (camera_t *)aCamera
@@ -41,9 +30,9 @@
       image = [anImage retain];
       lock = [[NSLock alloc] init];
       options = someOptions;
-      options.stack = MAX(options.stack, STACK_LEAST);
-      tiles_across = ([image width] + TILE - 1) / TILE;
-      tile_count = tiles_across * (([image height] + TILE - 1) / TILE);
+      options.stack = MAX(options.stack, RENDER_STACK_LEAST);
+      [self cover: image->window];
+      all_tiles = tile_count;
     }
   return self;
 }
@@ -54,8 +43,10 @@
   [camera release];
   [engine release];
   [lock release];
-  free(pass);
+  free(pilots.at);
+  free(timed);
   free(tile_is_there);
+  free(tile_is_added);
   [super dealloc];
 }
 
@@ -203,17 +194,14 @@ add_all(const render_t *self, unsigned pixel, struct sample sample,
 /** A tile, in blocks whose rays go much the same way. */
 - (void) tile: (unsigned)tile counters: (struct counters *)count
 {
-  unsigned x0 = image->window.x0 + tile % tiles_across * TILE;
-  unsigned y0 = image->window.y0 + tile / tiles_across * TILE;
-  unsigned x1 = MIN(x0 + TILE, image->window.x1);
-  unsigned y1 = MIN(y0 + TILE, image->window.y1);
+  struct window w = [self windowOf: tile];
 
-  for (unsigned y = y0; y < y1; y += DOWN)
+  for (unsigned y = w.y0; y < w.y1; y += BLOCK_DOWN)
     {
-      for (unsigned x = x0; x < x1; x += ACROSS)
+      for (unsigned x = w.x0; x < w.x1; x += BLOCK_ACROSS)
         {
-          struct window block = { x, y, MIN(x + ACROSS, x1),
-                                  MIN(y + DOWN, y1) };
+          struct window block = { x, y, MIN(x + BLOCK_ACROSS, w.x1),
+                                  MIN(y + BLOCK_DOWN, w.y1) };
           if (image->surfaces)
             {
               [self surfacesOf: block];
@@ -230,7 +218,6 @@ add_all(const render_t *self, unsigned pixel, struct sample sample,
     }
 }
 
-/** What each thread does: take tiles until there are none left. */
 - (void) work
 {
   NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
@@ -249,66 +236,21 @@ add_all(const render_t *self, unsigned pixel, struct sample sample,
   [pool release];
 }
 
-/** What a thread is started with. */
-struct task
-{
-  render_t *render;
-  SEL work;
-};
-
-static void *
-work_in_thread(void *given)
-{
-  const struct task *task = given;
-
-  GSRegisterCurrentThread();
-  [task->render performSelector: task->work];
-  GSUnregisterCurrentThread();
-  return NULL;
-}
-
 - (double) done
 {
-  return tile_count ? (double)__atomic_load_n(&tiles_done, __ATOMIC_RELAXED)
-    / tile_count : 1;
+  return all_tiles ? (double)__atomic_load_n(&tiles_done, __ATOMIC_RELAXED)
+    / all_tiles : 1;
 }
 
 - (void) run
 {
-  [self inThreads: @selector(work)];
-}
-
-@end
-
-@implementation render_t (threads)
-
-- (void) inThreads: (SEL)work
-{
-  struct task task = { self, work };
-  pthread_t threads[options.threads];
-  pthread_attr_t attributes;
-  unsigned started = 0;
-
-  pthread_attr_init(&attributes);
-  pthread_attr_setstacksize(&attributes, options.stack);
-  while (started < options.threads
-         && pthread_create(&threads[started], &attributes, work_in_thread,
-                           &task) == 0)
+  if (options.noise > 0)
     {
-      started++;
+      [self runAdaptive];
     }
-  pthread_attr_destroy(&attributes);
-  if (started == 0 && options.stack > STACK_LEAST)
+  else
     {
-      raise_no_memory(options.stack);
-    }
-  if (started == 0)
-    {
-      [self performSelector: work];     // no thread is to be had: then in this one
-    }
-  while (started)
-    {
-      pthread_join(threads[--started], NULL);
+      [self inThreads: @selector(work)];
     }
 }
 

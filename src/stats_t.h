@@ -24,7 +24,7 @@ enum phase
   BOOL has_truncation;  // error.truncation is known: the largest of a pixel and
   double truncation_most, truncation_mean;      // the mean
   struct k_facts scene; // of the fast engine; isa NULL: there is none
-  struct noise_facts noise;     // of --noise; pixels 0: there is none
+  struct noise_facts noise;     // of --noise, --time-limit; pixels 0: none
 @protected
   double mark;          // when the last phase ended
 }
@@ -46,7 +46,7 @@ enum phase
     "nodes": …, "nodes_per_ray": …, "tests_per_ray": …, "tree": {"nodes": …,
     "depth": …, "cost": …, "bytes": …, "isa": "…"}, when branches are cut
     "error": {"truncation": {"most": …, "mean": …}}, and with --noise
-    "noise": {"pixels": …, "rays": …, "largest": …, "rms": …,
+    or --time-limit "noise": {"pixels": …, "rays": …, "largest": …, "rms": …,
     "capped": …} */
 - (NSString *) json;
 

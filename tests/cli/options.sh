@@ -139,7 +139,7 @@ for bad in stratified grid; do
   wrong "option '--noise' takes the samplers owen and random" \
     pin.mdl --noise .1 --sampler $bad -o x.exr
 done
-wrong "option '--confidence' needs '--noise'" pin.mdl --confidence .9 -o x.exr
+wrong "option '--confidence' needs '--noise' or '--time-limit'" pin.mdl --confidence .9 -o x.exr
 wrong "option '--max-samples' needs '--noise'" pin.mdl --max-samples 99 \
   -o x.exr
 wrong "option '--exposure' needs a camera with a lens: focus, fstop, exposure" \
@@ -165,6 +165,7 @@ right --sampler random pin.mdl
 right --sampler owen --samples 3 lens.mdl
 right --sampler stratified --samples 3 lens.mdl
 right --noise 1/8 --confidence .9 lens.mdl
+right -q --time-limit .05 --confidence .9 lens.mdl
 right --noise .1 --sampler random --max-samples 100 pin.mdl
 right --exposure 3 lens.mdl
 right --crop 0,0,8,6 pin.mdl

@@ -3,6 +3,8 @@
 // eye ray.
 
 #import "support.h"
+#include "batches.h"
+#include "halves.h"
 #include "sampler.h"
 #include "test.h"
 
@@ -275,6 +277,84 @@ owen(void)
   PASS_NEAR(sums[6] / n, 0, 5 / sqrt(12.0 * n), "owen: the mean is 1/2");
 }
 
+/** How many boxes of 2^-a x 2^-b x 2^-c x 2^-d, a + b + c + d = k - 3, have
+    not 8 of 2^k points. */
+static unsigned
+uneven_boxes(double (*points)[4], unsigned k)
+{
+  unsigned wrong = 0, n = 1u << k, left = k - 3;
+
+  for (unsigned a = 0; a <= left; a++)
+    for (unsigned b = 0; a + b <= left; b++)
+      for (unsigned c = 0; a + b + c <= left; c++)
+        {
+          const unsigned digits[4] = { a, b, c, left - a - b - c };
+          unsigned seen[128] = { 0 };
+          for (unsigned i = 0; i < n; i++)
+            {
+              unsigned box = 0;
+              for (unsigned d = 0; d < 4; d++)
+                {
+                  box = box << digits[d]
+                    | (unsigned)(points[i][d] * (1u << digits[d]));
+                }
+              seen[box]++;
+            }
+          for (unsigned box = 0; box < n / 8; box++)
+            {
+              wrong += seen[box] != 8;
+            }
+        }
+  return wrong;
+}
+
+/** Pixel and lens together; and the table of Sobol's numbers is what Joe and
+    Kuo's polynomials and beginnings make. */
+static void
+together(void)
+{
+  static double points[1024][4];
+  unsigned wrong = 0;
+
+  for (unsigned seed = 0; seed < 30; seed++)
+    {
+      struct ray_places p = { .seed = seed, .samples = 2, .exposure = 1,
+                              .moves_in_pixel = YES, .has_lens = YES };
+      ray_places_begin(&p, 5 * seed, 9, seed % 3);
+      for (unsigned k = 3; k <= 10; k++)
+        {
+          for (unsigned i = 0; i < 1u << k; i++)
+            {
+              struct sample s;
+              ray_places_set(&p, (seed % 4 << k) + i, &s);
+              points[i][0] = s.right + 0.5;
+              points[i][1] = s.up + 0.5;
+              points[i][2] = (s.u + 1) / 2;
+              points[i][3] = (s.v + 1) / 2;
+            }
+          wrong += uneven_boxes(points, k);
+        }
+    }
+  PASS(wrong == 0, "owen: 2^k places in the pixel and on the lens, 8 in each of"
+       " 2^(k-3) boxes of four dimensions: %u", wrong);
+  uint32_t third[32] = { 1u << 31, 3u << 30 };
+  uint32_t fourth[32] = { 1u << 31, 3u << 30, 1u << 29 };
+  for (unsigned j = 0; j < 32; j++)
+    {
+      if (j >= 2)
+        {
+          third[j] = third[j - 1] ^ third[j - 2] ^ third[j - 2] >> 2;
+        }
+      if (j >= 3)
+        {
+          fourth[j] = fourth[j - 2] ^ fourth[j - 3] ^ fourth[j - 3] >> 3;
+        }
+      wrong += owen_reverse(third[j]) != sobol_columns[0][j]
+        || owen_reverse(fourth[j]) != sobol_columns[1][j];
+    }
+  PASS(wrong == 0, "Sobol's third and fourth dimension by their recurrences");
+}
+
 /** The root of the mean square error of the mean of n places on the lens: of
     the half of a lens behind an edge, and of a smooth picture. */
 static void
@@ -333,6 +413,29 @@ errors(void)
   errors_of(SAMPLER_STRATIFIED, 50, &edge, &smooth);
   PASS(edge < random_edge / 1.8 && smooth < random_smooth / 3,
        "stratified, 50 places: errors %g, %g", edge, smooth);
+}
+
+/** How the error of numbers that are no powers of two is foretold (halves.h): at
+    an edge, from that of 32. */
+static void
+between(void)
+{
+  const unsigned counts[] = { 33, 40, 48, 56, 60, 63, 64, 96, 127 };
+  double error, smooth;
+
+  errors_of(SAMPLER_OWEN, 32, &error, &smooth);
+  for (unsigned i = 0; i < sizeof counts / sizeof *counts; i++)
+    {
+      unsigned n = counts[i];
+      double at, part = 32.0 / n;
+      double expected = error * part
+        * sqrt(halves_sum(n, batches_gain(NO, NO))
+               / halves_sum(32, batches_gain(NO, NO)));
+      errors_of(SAMPLER_OWEN, n, &at, &smooth);
+      PASS_NEAR(at, expected, 0.2 * expected, "owen, %u places: the error by"
+                " that of 32", n);
+    }
+  PASS_NEAR(halves_rest(48, 0.5), 32.0 / 48, 1e-15, "random ones: 1/n");
 }
 
 /** Parts of equal area, each with one point. */
@@ -415,8 +518,10 @@ main(void)
   grid();
   random_samples();
   owen();
+  together();
   stratified();
   errors();
+  between();
   lenses();
   [pool release];
   return test_done();
