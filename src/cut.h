@@ -60,11 +60,12 @@ struct cut
   double error;         // that they have left so far
 };
 
-/** An eye ray. */
+/** An eye ray. Its budget is a little less than max_error, for the rounding of
+    what is added up. */
 static inline struct cut
 cut_eye(const struct cut_rule *rule)
 {
-  struct cut cut = { { 1, 1, 1 }, rule->max_error, 0 };
+  struct cut cut = { { 1, 1, 1 }, rule->max_error * (1 - 0x1p-30), 0 };
 
   return cut;
 }
@@ -125,8 +126,8 @@ cut_loss(struct k_vec weight, struct k_vec most)
 }
 
 /** Both branches of a ray that has hit something at the end of its path
-    `dis`; they are of generation `depth`. A branch that does not exist weighs
-    and loses nothing. The factors are those of shade_mirror and
+    `dis`; they are of generation `depth`. A branch that does not exist loses
+    nothing. The factors are those of shade_mirror and
     shade_blend. */
 static inline __attribute__((always_inline)) void
 cut_pair(struct cut_pair *pair, const struct cut_rule *rule,
@@ -142,9 +143,9 @@ cut_pair(struct cut_pair *pair, const struct cut_rule *rule,
       share = k_add(k_scale(specular, 1 - alpha),
                     k_vec(bounce, bounce, bounce));
       through = alpha * (1 - R);
+      pair->weight[CUT_REFRACTED] = k_scale(parent->weight, through);
     }
   pair->weight[CUT_REFLECTED] = k_mul(parent->weight, share);
-  pair->weight[CUT_REFRACTED] = k_scale(parent->weight, through);
   pair->depth = depth;
   pair->dis = dis;
   if (rule->max_error > 0)

@@ -87,9 +87,9 @@ const struct option option_table[] = {
   { .name = "max-error", .value = "E", .kind = OPTION_NUMBER,
     .offset = AT(max_error), .high = 1e6, .is_above_low = YES, .usual = -1,
     .is_shaping = YES,
-    .help = "trace only as many of them as it takes for no channel of a pixel"
-            " to be off by more than E from the picture of 20 generations, or of"
-            " --max-depth; writes error.truncation too" },
+    .help = "trace only as many of them, and send only as many feelers, as it"
+            " takes for no channel of a pixel to be off by more than E from the"
+            " picture of 20 generations, or of --max-depth; writes error.truncation too" },
   { .name = "fresnel", .value = "WORD", .kind = OPTION_WORD,
     .offset = AT(fresnel), .words = "schlick exact", .is_shaping = YES,
     .help = "how much clear surfaces reflect: schlick, the notes'"

@@ -44,14 +44,15 @@ text_of(double number)
 {
   const double *errors = image->planes[PLANE_TRUNCATION];
   size_t count = (size_t)[image width] * [image height];
-  double sum = 0;
+  double most = 0, sum = 0;
 
   has_truncation = errors != NULL;
   for (size_t i = 0; errors && i < count; i++)
     {
-      truncation_most = MAX(truncation_most, errors[i]);
+      most = MAX(most, errors[i]);
       sum += errors[i];
     }
+  truncation_most = most;
   truncation_mean = sum / count;
 }
 

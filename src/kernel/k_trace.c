@@ -6,9 +6,14 @@ void
 k_trace(const struct k_scene *scene, struct eye_ray *rays, unsigned n,
         const struct k_media *const *media, struct counters *counters)
 {
-  k_trace_eye *trace = k_is_plain(scene) ? scene->isa->ambient
-    : scene->isa->trace;
+  int is_plain = k_is_plain(scene);
+  k_trace_eye *trace = is_plain ? scene->isa->ambient : scene->isa->trace;
 
+  for (unsigned i = 0; is_plain && cut_is_on(&scene->settings.cut) && i < n;
+       i++)
+    {
+      rays[i].error = 0;        // there is nothing to cut
+    }
   for (unsigned i = 0; i < n; i += K_MANY)
     {
       trace(scene, &rays[i], n - i < K_MANY ? n - i : K_MANY,

@@ -502,11 +502,12 @@ static void
 trace_eye_cut(const struct k_scene *scene, struct k_ray *rays,
               struct eye_ray *eye, unsigned n, struct k_vec *colors)
 {
+  const struct cut whole = cut_eye(&scene->settings.cut);
   struct cut cuts[K_MANY];
 
   for (unsigned i = 0; i < n; i++)
     {
-      cuts[i] = cut_eye(&scene->settings.cut);
+      cuts[i] = whole;
     }
   trace_cut(scene, rays, n, 0, colors, cuts);
   for (unsigned i = 0; i < n; i++)

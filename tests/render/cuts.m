@@ -1,8 +1,7 @@
 // cuts.m - branches of the ray tree that are not traced, and the error that the
 // picture says it may have for it: never less than the true one.
 
-#import "brightest_t.h"
-#import "support.h"
+#import "cut_pictures.h"
 #include "test.h"
 
 #define WINDOW \
@@ -46,17 +45,7 @@ enum { SCENES = sizeof scenes / sizeof *scenes / 2, DEEP = 14 };
 static image_t *
 picture(model_t *model, id <engine_t> engine)
 {
-  struct window all = { 0, 0, model->camera->columns, model->camera->rows };
-  image_t *image = [[[image_t alloc] init: all.x1 : all.y1 window: all
-                                 surfaces: NO error: NULL] autorelease];
-  render_t *render;
-
-  PASS([image addPlane: PLANE_TRUNCATION error: NULL], "room for errors");
-  render = [[render_t alloc] init: engine camera: model->camera into: image
-                          options: support_render_options()];
-  [render run];
-  [render release];
-  return image;
+  return cut_picture(model, engine, support_render_options(), NULL);
 }
 
 /** By both engines and instruction sets, which have to agree. */
@@ -65,19 +54,13 @@ agreed(model_t *model, const char *what)
 {
   image_t *image = picture(model, [[[notes_t alloc] initWithModel: model]
                                     autorelease]);
-  size_t count = (size_t)[image width] * [image height];
 
   for (NSString *isa in [NSArray arrayWithObjects: @"base", @"avx2", nil])
     {
       id <engine_t> fast = support_fast(model, isa);
       image_t *other = fast ? picture(model, fast) : image;
-      PASS(memcmp(image->pixels, other->pixels,
-                  count * sizeof *image->pixels) == 0,
-           "%s: both engines, the same colours", what);
-      PASS(memcmp(image->planes[PLANE_TRUNCATION],
-                  other->planes[PLANE_TRUNCATION],
-                  count * sizeof(double)) == 0,
-           "%s: and the same errors", what);
+      PASS(cut_apart(image, other) == 0,
+           "%s: both engines, the same colours and errors", what);
     }
   return image;
 }
@@ -88,35 +71,9 @@ cutting(unsigned scene, unsigned max_depth, double min_weight,
         double max_error, unsigned generations)
 {
   model_t *model = support_model(scenes[2 * scene + 1]);
-  brightest_t *brightest = [[[brightest_t alloc]
-                              initWithModel: model
-                                generations: generations] autorelease];
-  struct cut_rule rule = { 1, min_weight, max_error, generations,
-                           brightest->most, brightest->count };
 
-  model->max_depth = max_depth;
-  model->cut = rule;
+  cut_model(model, max_depth, min_weight, max_error, generations);
   return model;
-}
-
-/** How many channels are farther off than the picture says. */
-static unsigned
-broken(image_t *image, image_t *deep, double *most)
-{
-  size_t count = (size_t)[image width] * [image height];
-  unsigned wrong = 0;
-
-  *most = 0;
-  for (size_t i = 0; i < count; i++)
-    {
-      double error = image->planes[PLANE_TRUNCATION][i];
-      struct k_vec off = k_sub(deep->pixels[i].color,
-                               image->pixels[i].color);
-      wrong += !(k_norm_max(off) <= error
-                 + 1e-13 * k_norm_max(deep->pixels[i].color));
-      *most = fmax(*most, error);
-    }
-  return wrong;
 }
 
 static void
@@ -132,7 +89,7 @@ bounds_hold(unsigned scene)
     {
       image_t *image = agreed(cutting(scene, depth, -1, -1, CUT_GENERATIONS),
                               name);
-      PASS(broken(image, deep, &most) == 0, "%s: bound holds at depth %u",
+      PASS(cut_broken(image, deep, &most) == 0, "%s: bound holds at depth %u",
            name, depth);
       PASS(most > 0 && most <= before, "%s: depth %u may be off by %g, no more"
            " than one less", name, depth, most);
@@ -143,7 +100,7 @@ bounds_hold(unsigned scene)
     {
       image_t *image = agreed(cutting(scene, DEEP, weight, -1,
                                       CUT_GENERATIONS), name);
-      PASS(broken(image, deep, &most) == 0, "%s: bound holds at weight %g",
+      PASS(cut_broken(image, deep, &most) == 0, "%s: bound holds at weight %g",
            name, weight);
       PASS(most <= before, "%s: weight %g may be off by %g", name, weight,
            most);
@@ -152,7 +109,7 @@ bounds_hold(unsigned scene)
   for (double error = 0.1; error > 1e-7; error /= 10)
     {
       image_t *image = agreed(cutting(scene, DEEP, -1, error, DEEP), name);
-      PASS(broken(image, deep, &most) == 0 && most <= error,
+      PASS(cut_broken(image, deep, &most) == 0 && most <= error,
            "%s: bound of %g holds, %g is reached", name, error, most);
     }
 }
@@ -170,8 +127,25 @@ nothing_cut(void)
       double most;
       PASS(memcmp(a->pixels, b->pixels, (size_t)[a width] * [a height]
                   * sizeof *a->pixels) == 0, "the same picture");
-      PASS(broken(b, a, &most) == 0 && most == 0, "without any error");
+      PASS(cut_broken(b, a, &most) == 0 && most == 0, "without any error");
     }
+}
+
+/** A scene without anything that spawns rays, which the kernel traces in a way
+    of its own. */
+static void
+plain(void)
+{
+  model_t *model = support_model(WINDOW "background .1 .2 .3\n"
+                                 "material m { ambient 1 2 3 }\n"
+                                 "sphere s { material m center 4 3 -1"
+                                 " radius 2 }\n");
+  double most = HUGE_VAL;
+
+  cut_model(model, 5, -1, 0.1, 5);
+  image_t *image = agreed(model, "plain");
+  cut_broken(image, image, &most);
+  PASS(most == 0, "plain: nothing is cut, and the errors are 0, not %g", most);
 }
 
 /** A half mirror that sees a background of 1: cut, just that is missing. */
@@ -255,6 +229,7 @@ main(void)
       bounds_hold(scene);
     }
   nothing_cut();
+  plain();
   exact();
   table();
   distances();
