@@ -85,11 +85,12 @@ f8_abs(f8 a)
   return f8_max(f8_sub(f8_all(0), a), a);
 }
 
-/** How far a ray looks still; -1: it wants nothing. */
+/** How far a ray looks still: infinitely far back if it wants nothing, which
+    stays that at any scale. */
 static inline double
 k_beam_reach(const struct k_ray *ray)
 {
-  return ray->is_feeler && ray->hit.surface ? -1 : k_ray_reach(ray);
+  return ray->is_feeler && ray->hit.surface ? -HUGE_VAL : k_ray_reach(ray);
 }
 
 /** Four rays from number i on; after the last, the first again, which then
@@ -105,7 +106,7 @@ k_beam_take_four(struct k_beam *beam, const struct k_scene *scene, unsigned i)
       const struct k_ray *ray = &beam->rays[i + j < beam->n ? i + j : 0];
       from[j] = &ray->o.x;
       to[j] = &ray->d.x;
-      many->reach[i + j] = i + j < beam->n ? k_beam_reach(ray) : -1;
+      many->reach[i + j] = i + j < beam->n ? k_beam_reach(ray) : -HUGE_VAL;
       many->from |= ray->from ? 1ull << (ray->from->number & 63) : 0;
       many->slack[i + j] = ray->from ? ray->slack : -HUGE_VAL;
       many->end_slack[i + j] = ray->end_slack;
