@@ -104,7 +104,7 @@ cut_box(int is_cut)
   for (int i = 0; i < 6; i++)
     {
       double corners[4][3];
-      char name[8];
+      char name[16];
       for (int j = 0; j < 4; j++)
         {
           double x = faces[i][j] & 1 ? 1 : 0, y = faces[i][j] & 2 ? 1.5 : 0;
