@@ -51,6 +51,7 @@ picture(unsigned calls, unsigned *samples)
   struct window all = { 0, 0, COLUMNS, ROWS };
   image_t *image = [[[image_t alloc] init: COLUMNS : ROWS window: all
                                  surfaces: NO error: NULL] autorelease];
+  [image addPlane: PLANE_SAMPLING error: NULL];
   struct render_options options = support_render_options();
   stopping_t *engine = [[[stopping_t alloc] init] autorelease];
 
