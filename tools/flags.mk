@@ -15,7 +15,8 @@
 BUILD ?= default
 
 ifeq ($(BUILD),sanitize)
-  OPT = -O1 -fno-omit-frame-pointer
+  # Where each variable lies is for debuggers, and a minute for k_trace.inc.c.
+  OPT = -O1 -fno-omit-frame-pointer -fno-var-tracking
   SANITIZE = address,undefined
 else ifneq ($(filter gcc-% clang-%,$(BUILD)),)
   parts := $(subst -, ,$(BUILD))
