@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#define STEP 512                // bytes between checkpoints
+#define STEP 64                 // bytes between checkpoints
 #define CHUNK (1 << 20)         // bytes to read at once
 #define PATIENCE 3000           // milliseconds for a pipe to be written to
 

@@ -18,7 +18,7 @@ refused()
   fi
 }
 
-megabytes=100
+megabytes=25
 if [ "$BUILD" = sanitize ]; then
   megabytes=5
 fi
