@@ -375,9 +375,9 @@
 
   if (needed > memory)
     {
-      *error = error_saying(STATUS_FILE, @"not enough memory for %u x %u pixels: "
-                            @"they and their file take %.0f bytes, and the "
-                            @"program may have %.0f in all", columns, rows,
+      *error = error_saying(STATUS_FILE, @"not enough memory for %u x %u "
+                            @"pixels: they and their file take %.0f bytes, and "
+                            @"the program may have %.0f in all", columns, rows,
                             needed, memory);
     }
   return needed <= memory;
