@@ -50,8 +50,9 @@
 + (BOOL) compileBlock: (block_t *)block number: (unsigned)number
                   for: (compiler_t *)compiler;
 
-/** Called before blocks of the class come to compileBlock:, up to so many, to
-    make room for them. The default does nothing. */
+/** Called before instances of the class are asked to compile:, or its blocks
+    come to compileBlock:, up to so many, to make room for them. The default
+    does nothing. */
 + (void) prepare: (NSUInteger)count for: (compiler_t *)compiler;
 
 @end

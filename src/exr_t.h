@@ -39,8 +39,8 @@ enum aov
 /** The whole file (autoreleased) of an image that keeps floats. `aovs` is a sum
     of enum aov: the image must have surfaces, or the plane, for them.
     `attributes` are strings by name, to be written as attributes of the header.
-    A number that no float can hold becomes the largest one, NaN becomes 0. nil with an NSError in *error when OpenEXR
-    fails. */
+    A number that no float can hold becomes the largest one, NaN becomes 0. nil
+    with an NSError in *error when OpenEXR fails. */
 + (NSData *) fileOf: (image_t *)image
                aovs: (unsigned)aovs
          attributes: (NSDictionary *)attributes

@@ -359,7 +359,8 @@
   return [image_t bytesOfPixel: [self keep]]
     + (aovs & AOV_SURFACES ? sizeof(struct surface_pixel) : 0)
     + (aovs & AOV_TRUNCATION ? sizeof(double) : 0)
-    + (aovs & AOV_SAMPLING ? 2 * sizeof(double) : 0)
+    + (aovs & AOV_SAMPLING ? sizeof(double) : 0)
+    + (aovs & AOV_SAMPLES ? sizeof(double) : 0)
     + (options->format == FORMAT_EXR
        ? sizeof(float) * exr_channels(found, aovs)
        : 3);            // a byte each
@@ -374,9 +375,9 @@
 
   if (needed > memory)
     {
-      *error = error_saying(STATUS_FILE, @"not enough memory for %u x %u pixels: "
-                            @"they and their file take %.0f bytes, and the "
-                            @"program may have %.0f in all", columns, rows,
+      *error = error_saying(STATUS_FILE, @"not enough memory for %u x %u "
+                            @"pixels: they and their file take %.0f bytes, and "
+                            @"the program may have %.0f in all", columns, rows,
                             needed, memory);
     }
   return needed <= memory;
@@ -414,6 +415,7 @@
     {
       return NO;
     }
+  isTimed = settings->time_limit > 0;
   if (![self hasRoomFor: window error: error])
     {
       return NO;
@@ -430,7 +432,6 @@
     {
       return NO;
     }
-  isTimed = settings->time_limit > 0;
   if ((settings->noise > 0 || isTimed)
       && ![image addPlane: PLANE_SAMPLING error: error])
     {

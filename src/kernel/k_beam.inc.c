@@ -433,9 +433,9 @@ k_beam_ask_leaf(const struct k_scene *scene, struct k_beam *beam,
   unsigned n = (leaf & 7) + 1;
   uint32_t hits = 0;
 
-  beam->rays->counters->tests += n * __builtin_popcount(lanes);
   for (; n && lanes; n--, ref++)
     {
+      beam->rays->counters->tests += __builtin_popcount(lanes);
       struct k_told told = k_ref_many(scene, *ref, &beam->many, beam->rays,
                                       lanes, is_feeler);
       for (uint32_t left = told.others; left; left &= left - 1)

@@ -1,6 +1,6 @@
 // k_leaf_many.inc.c - a shape asked by many rays of a beam, four at a time. The
-// arithmetic is that of k_leaf.h, lane by lane and in the same order, where a ray
-// clearly misses and where it clearly hits; any other ray asks by itself.
+// arithmetic is that of k_leaf.h, lane by lane and in the same order, where a
+// ray clearly misses and where it clearly hits; any other ray asks by itself.
 
 /** The rays in doubles, by coordinate: what a shape is asked with. */
 struct k_many
@@ -90,8 +90,8 @@ struct k_told
   uint32_t hits, others;
 };
 
-/** k_sphere_ask. Clear is a miss, or a near root that is wanted and neither where
-    the ray starts nor where the light is. */
+/** k_sphere_ask. Clear is a miss, or a near root that is wanted and neither
+    where the ray starts nor where the light is. */
 static inline struct k_told
 k_sphere_many(const struct k_sphere *sphere, const struct k_many *many,
               struct k_ray *rays, uint32_t lanes, int are_feelers)
@@ -213,8 +213,8 @@ k_polygon_crossings_of_4(const struct k_many *many, unsigned i, unsigned n,
 // Polygons of more corners are asked by each ray, which may have a grid for it.
 #define FEW_CORNERS 8
 
-/** k_polygon_ask. Clear is a miss, or a hit that is wanted and neither where the
-    ray starts nor where the light is, of a ray that does not graze. */
+/** k_polygon_ask. Clear is a miss, or a hit that is wanted and neither where
+    the ray starts nor where the light is, of a ray that does not graze. */
 static inline struct k_told
 k_polygon_many(const struct k_polygon *polygon, const struct k_many *many,
                struct k_ray *rays, uint32_t lanes, int are_feelers)

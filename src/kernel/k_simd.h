@@ -60,18 +60,6 @@ f4_most_xyz(f4 a)
   return _mm_cvtss_f32(_mm_max_ss(m, _mm_shuffle_ps(a, a, 1)));
 }
 
-/** Four vectors, each x y z and something, as four x, four y and four z. */
-static inline void
-f4_turn_four(const f4 v[4], float *x, float *y, float *z)
-{
-  f4 xy0 = _mm_unpacklo_ps(v[0], v[1]), xy1 = _mm_unpacklo_ps(v[2], v[3]);
-  f4 z0 = _mm_unpackhi_ps(v[0], v[1]), z1 = _mm_unpackhi_ps(v[2], v[3]);
-
-  _mm_storeu_ps(x, _mm_movelh_ps(xy0, xy1));
-  _mm_storeu_ps(y, _mm_movehl_ps(xy1, xy0));
-  _mm_storeu_ps(z, _mm_movelh_ps(z0, z1));
-}
-
 /** Each towards zero. */
 static inline void
 f4_to_ints(int32_t *to, f4 a)
@@ -125,17 +113,6 @@ f4_most_xyz(f4 a)
 }
 
 static inline void
-f4_turn_four(const f4 v[4], float *x, float *y, float *z)
-{
-  for (int i = 0; i < 4; i++)
-    {
-      x[i] = v[i].x[0];
-      y[i] = v[i].x[1];
-      z[i] = v[i].x[2];
-    }
-}
-
-static inline void
 f4_store(float *p, f4 a)
 {
   for (int i = 0; i < 4; i++)
@@ -161,8 +138,8 @@ f4_abs(f4 a)
   return f4_max(f4_sub(f4_all(0), a), a);
 }
 
-// Four doubles, for the corners of a polygon, and for a shape that four rays ask:
-// the same arithmetic as one, in each lane.
+// Four doubles, for the corners of a polygon, and for a shape that four rays
+// ask: the same arithmetic as one, in each lane.
 
 #if defined(__AVX2__)
 

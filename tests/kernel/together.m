@@ -1,6 +1,7 @@
 // Rays that are searched for together hit what each hits when every shape is
 // asked: from one point and from many, narrow and wide, along axes, from far
-// away; feelers to one light. In scenes of any size, with each instruction set.
+// away; rays from where those have hit; feelers to one light, which may stand on
+// a shape. In scenes of any size, with each instruction set.
 
 #import "kernel.h"
 
@@ -8,7 +9,7 @@
 #define CORNERS 20
 
 /** Spheres, triangles and stars about 8 across, moved by `offset` and taken
-    times 2^k; every fourth shape is clear. */
+    times 2^k; every third shape is clear, every fifth is there twice. */
 static struct k_scene *
 make(double offset, int k, struct support_random *random)
 {
@@ -25,11 +26,17 @@ make(double offset, int k, struct support_random *random)
                              support_between(random, -4, 4),
                              support_between(random, -4, 4) - offset);
       double r = support_between(random, 0.02, i % 16 ? 0.4 : 2);
-      struct k_surface s = { .number = i + 1, .material = i % 4 == 0 };
-      s.slack = ldexp(0x1p-48 * (k_norm1(c) + r), k);
+      struct k_surface s = { .number = i + 1, .material = i % 3 == 0 };
+      struct k_surface twin = s;
+      twin.number += SHAPES;
+      twin.slack = s.slack = ldexp(0x1p-48 * (k_norm1(c) + r), k);
       if (i % 2)
         {
           k_add_sphere(scene, s, k_scale(c, ldexp(1, k)), ldexp(r, k));
+          if (i % 5 == 0)
+            {
+              k_add_sphere(scene, twin, k_scale(c, ldexp(1, k)), ldexp(r, k));
+            }
           continue;
         }
       unsigned n = i % 8 ? 3 : CORNERS;
@@ -47,6 +54,10 @@ make(double offset, int k, struct support_random *random)
         }
       struct k_plane plane = { N, k_vec(x[0], y[0], z[0]) };
       k_add_polygon(scene, s, plane, N, n, vertex, 0);
+      if (i % 5 == 0)
+        {
+          k_add_polygon(scene, twin, plane, N, n, vertex, 0);
+        }
     }
   struct k_settings settings = { .threads = 1 };
   if (k_scene_finish(scene, settings) != K_OK)
@@ -88,7 +99,24 @@ aim(unsigned kind, double offset, int k, struct support_random *random,
     }
 }
 
-static unsigned rays, hits, feelers, blocked, wrong;
+static unsigned rays, hits, children, ties, feelers, blocked, wrong;
+
+/** Whether one of two was nearest. */
+static int
+is_tied(const struct k_ray *ray)
+{
+  return ray->hit.surface && ray->tied == ray->hit.surface;
+}
+
+/** Whether found is as wanted, and how it was found is what --stats counts. */
+static int
+is_right(const struct k_ray *found, const struct k_ray *wanted)
+{
+  return kernel_agree(found, wanted)
+    && (found->is_feeler || !found->hit.surface
+        || (is_tied(found) == is_tied(wanted)
+            && found->hit.is_compensated == wanted->hit.is_compensated));
+}
 
 static void
 compare(const struct k_scene *scene, const struct k_isa *isa,
@@ -102,7 +130,7 @@ compare(const struct k_scene *scene, const struct k_isa *isa,
   for (unsigned i = 0; i < n; i++)
     {
       kernel_finish(&found[i]);
-      if (!kernel_agree(&found[i], &wanted[i]) && wrong++ < 3)
+      if (!is_right(&found[i], &wanted[i]) && wrong++ < 3)
         {
           kernel_show(isa->name, &found[i], &wanted[i]);
         }
@@ -126,6 +154,7 @@ bundle(struct k_scene *scene, unsigned kind, double offset, int k,
       kernel_ask_all(scene, &wanted[i]);
       kernel_finish(&wanted[i]);
       hits += wanted[i].hit.surface != NULL;
+      ties += is_tied(&wanted[i]);
     }
   rays += n;
   for (unsigned s = 0; s < count; s++)
@@ -134,7 +163,12 @@ bundle(struct k_scene *scene, unsigned kind, double offset, int k,
     }
   struct k_vec light = k_scale(k_vec(offset + 3, kind % 2 ? 5 : 50,
                                      2 - offset), ldexp(1, k));
+  struct k_vec away = support_direction(random);
   struct k_ray felt[K_MANY];
+  if (kind % 3 == 0 && wanted[0].hit.surface)
+    {
+      light = wanted[0].hit.P;
+    }
   for (unsigned i = 0; i < n; i++)
     {
       if (wanted[i].hit.surface)
@@ -156,6 +190,25 @@ bundle(struct k_scene *scene, unsigned kind, double offset, int k,
   for (unsigned s = 0; s < count && points; s++)
     {
       compare(scene, isas[s], many, felt, points, 1);
+    }
+  points = 0;
+  for (unsigned i = 0; i < n; i++)
+    {
+      if (wanted[i].hit.surface)
+        {
+          struct k_vec to = k_unit(k_along(away, kind % 5 * 0.02,
+                                           support_direction(random)));
+          struct k_vec N = wanted[i].hit.N;
+          int goes_on = k_dot(to, N) * k_dot(d[i], N) > 0;
+          many[points] = felt[points] = kernel_child(&wanted[i], to, goes_on);
+          kernel_ask_all(scene, &felt[points]);
+          kernel_finish(&felt[points++]);
+        }
+    }
+  children += points;
+  for (unsigned s = 0; s < count && points; s++)
+    {
+      compare(scene, isas[s], many, felt, points, 0);
     }
 }
 
@@ -181,9 +234,10 @@ main(void)
       PASS(wrong == 0, "moved by %g, 2^%d: %u rays are wrong",
            places[p].offset, places[p].k, wrong);
       PASS(hits > rays / 20 && hits < rays && blocked > feelers / 20
-           && blocked < feelers, "%u rays, %u hits; %u feelers, %u blocked",
-           rays, hits, feelers, blocked);
-      rays = hits = feelers = blocked = wrong = 0;
+           && blocked < feelers && children > rays / 20 && ties > rays / 200,
+           "%u rays, %u hits, %u of two at once; %u feelers, %u blocked;"
+           " %u children", rays, hits, ties, feelers, blocked, children);
+      rays = hits = children = ties = feelers = blocked = wrong = 0;
     }
   return test_done();
 }
