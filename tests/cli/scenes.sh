@@ -84,7 +84,12 @@ echo 'material paint { ambient 1 1 1 }' >parts/paint.inc
 } >user.mdl
 status 3 "an included file is not found" "$RAYTRACE" --check user.mdl
 pass "-I finds it" "$RAYTRACE" -I parts --check user.mdl
-pass "so does the second of two" "$RAYTRACE" -I none -I parts --check user.mdl
+pass "so does the second of two" "$RAYTRACE" -I . -I parts --check user.mdl
+says 4 "raytrace: cannot include from 'none': No such file or directory" \
+  --check -I parts -I none user.mdl
+says 4 "raytrace: cannot include from 'good.mdl': Not a directory" \
+  -I good.mdl good.mdl -o x.exr
+pass "no file is made" test ! -e x.exr
 
 # Pipes and standard input
 says 0 "" --check - <good.mdl
