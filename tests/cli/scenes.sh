@@ -74,6 +74,11 @@ pass "the plan says what a picture takes" grep -qE '^memory    [0-9]+ bytes for'
 ' the scene, 144 for a picture of 8 bits, 576 for an \.exr$' plan.txt
 line "rays      about 48: 48 eye, 0 reflection, 0 refraction, 0 feeler"
 line "threads   3, instructions base"
+pass "the largest picture is planned as soon" timeout 20 "$RAYTRACE" --plan \
+  good.mdl -r 1000000x1000000
+same "$("$RAYTRACE" --plan good.mdl -r 1000000x1000000 | grep ^rays)" \
+  "rays      about 1e+12: 1e+12 eye, 0 reflection, 0 refraction, 0 feeler" \
+  "from a part of it"
 
 # Where included files are looked for
 mkdir parts
