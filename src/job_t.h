@@ -27,7 +27,7 @@
 - (id) init: (options_t *)options;
 
 /** Opens the output, so that nobody waits for a picture that cannot be
-    written. */
+    written; before that sees that the folders to include from are there. */
 - (BOOL) open: (NSError **)error;
 
 /** Reads the scene. */

@@ -23,6 +23,9 @@
 #include "batches.h"
 #include "clock.h"
 #include "version.h"
+#include <errno.h>
+#include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 @implementation job_t
@@ -53,10 +56,33 @@
   [super dealloc];
 }
 
+/** Whether all of --include-path are folders: a name that is mistyped would
+    only be missed by who knows what should be in it. */
+- (BOOL) hasIncludePath: (NSError **)error
+{
+  for (NSString *folder in options->settings.includes)
+    {
+      struct stat now;
+      int reason = stat([folder UTF8String], &now) != 0 ? errno
+        : S_ISDIR(now.st_mode) ? 0 : ENOTDIR;
+      if (reason)
+        {
+          *error = error_saying(STATUS_FILE, @"cannot include from '%@': %s",
+                                folder, strerror(reason));
+          return NO;
+        }
+    }
+  return YES;
+}
+
 - (BOOL) open: (NSError **)error
 {
   NSString *path = options->settings.output;
 
+  if (![self hasIncludePath: error])
+    {
+      return NO;
+    }
   if (options->settings.check)
     {
       return YES;
@@ -361,6 +387,7 @@
     + (aovs & AOV_TRUNCATION ? sizeof(double) : 0)
     + (aovs & AOV_SAMPLING ? sizeof(double) : 0)
     + (aovs & AOV_SAMPLES ? sizeof(double) : 0)
+    + (isTimed ? sizeof(struct timed_pixel) : 0)
     + (options->format == FORMAT_EXR
        ? sizeof(float) * exr_channels(found, aovs)
        : 3);            // a byte each

@@ -6,7 +6,7 @@
 unsigned machine_cores(void);
 
 /** Bytes of memory that the program may have: all of the machine's, or less if
-    there is a limit (ulimit -v). */
+    there is a limit: ulimit -v, or that of a container (cgroups). */
 double machine_memory(void);
 
 /** The folders of the program's own models, installed or in the source tree

@@ -4,7 +4,9 @@
 #import "machine.h"
 #import "path.h"
 #include <limits.h>
+#include <math.h>
 #include <sched.h>
+#include <stdio.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -17,9 +19,28 @@ machine_cores(void)
     ? (unsigned)CPU_COUNT(&cores) : 1;
 }
 
+/** The number in a file; infinite if there is none. */
+static double
+number_in(const char *path)
+{
+  FILE *file = fopen(path, "r");
+  unsigned long long number;
+  BOOL is_there = file && fscanf(file, "%llu", &number) == 1;
+
+  if (file)
+    {
+      fclose(file);
+    }
+  return is_there ? number : INFINITY;
+}
+
 double
 machine_memory(void)
 {
+  // What a container may have, as it is seen from inside: cgroups 2 and 1.
+  const double container
+    = fmin(number_in("/sys/fs/cgroup/memory.max"),
+           number_in("/sys/fs/cgroup/memory/memory.limit_in_bytes"));
   double memory = (double)sysconf(_SC_PHYS_PAGES) * sysconf(_SC_PAGESIZE);
   struct rlimit limit;
 
@@ -28,7 +49,7 @@ machine_memory(void)
     {
       memory = limit.rlim_cur;
     }
-  return memory;
+  return fmin(memory, container);
 }
 
 NSArray *

@@ -135,6 +135,10 @@ read_words(const struct option *option, NSString *value, uint64_t *bits)
         {
           return NO;
         }
+      if (*bits & 1u << i)
+        {
+          return NO;    // it is there twice
+        }
       *bits |= 1u << i;
     }
   return YES;
@@ -213,8 +217,8 @@ expected(const struct option *option)
     case OPTION_WORD:
       return [@"one of " stringByAppendingString: words];
     case OPTION_WORDS:
-      return [NSString stringWithFormat: @"some of %@, with commas between",
-                       words];
+      return [NSString stringWithFormat: @"some of %@, with commas between and"
+                       @" each once", words];
     default:
       return [NSString stringWithFormat: @"a %s", option->value];
     }

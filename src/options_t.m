@@ -8,6 +8,7 @@
 #include "attribute_check.h"
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 /** Options are not abbreviated, since one that is new might change what is
     meant; but those that begin so are suggested, or else the nearest. */
@@ -34,6 +35,14 @@ unknown_option(NSString *name)
   return [NSString stringWithFormat: @"unknown option '%@'%@", name, meant];
 }
 
+/** What a path stands for; - is the standard file `fd`. */
+static BOOL
+is_there(NSString *path, int fd, struct stat *now)
+{
+  return ([path isEqual: @"-"] ? fstat(fd, now)
+          : stat([path UTF8String], now)) == 0;
+}
+
 /** Whether a path names a folder, or can name nothing else. */
 static BOOL
 is_folder(NSString *path)
@@ -41,16 +50,17 @@ is_folder(NSString *path)
   struct stat now;
 
   return [path hasSuffix: @"/"]
-    || (stat([path UTF8String], &now) == 0 && S_ISDIR(now.st_mode));
+    || (is_there(path, STDOUT_FILENO, &now) && S_ISDIR(now.st_mode));
 }
 
-/** Whether two paths are of one file. */
+/** Whether what is read and what is written are one file. */
 static BOOL
-is_same_file(NSString *a, NSString *b)
+is_same_file(NSString *input, NSString *output)
 {
   struct stat one, two;
 
-  return stat([a UTF8String], &one) == 0 && stat([b UTF8String], &two) == 0
+  return is_there(input, STDIN_FILENO, &one)
+    && is_there(output, STDOUT_FILENO, &two)
     && one.st_dev == two.st_dev && one.st_ino == two.st_ino
     && S_ISREG(one.st_mode);
 }

@@ -5,7 +5,8 @@
 #include "kernel/k.h"
 #include <inttypes.h>
 
-#define STEP 16                 // one pixel in STEP x STEP is tried
+#define STEP 16                 // one pixel in STEP x STEP is tried,
+#define MOST_TRIED (1 << 18)    // of a large picture fewer
 
 @implementation plan_t
 
@@ -15,10 +16,15 @@
         engine: (fast_t *)engine counters: (struct counters *)counters
 {
   uint64_t pixels = (uint64_t)(w.x1 - w.x0) * (w.y1 - w.y0), tried = 0;
+  unsigned step = STEP;
 
-  for (unsigned y = w.y0; y < w.y1; y += STEP)
+  while (pixels / step / step > MOST_TRIED)
     {
-      for (unsigned x = w.x0; x < w.x1; x += STEP, tried++)
+      step *= 2;
+    }
+  for (unsigned y = w.y0; y < w.y1; y += step)
+    {
+      for (unsigned x = w.x0; x < w.x1; x += step, tried++)
         {
           struct sample s = { .column = x, .row = camera->rows - 1 - y };
           struct eye_ray ray;

@@ -188,4 +188,20 @@ random_scene_text(uint64_t seed)
   return m.text;
 }
 
+/** The main of a test of such scenes: FROM TO, or the first ones. */
+static inline int
+random_main(int count, char **words, void (*test)(uint64_t seed))
+{
+  uint64_t from = count > 1 ? strtoull(words[1], NULL, 10) : 0;
+  uint64_t to = count > 2 ? strtoull(words[2], NULL, 10) : RANDOM_SCENES;
+
+  for (uint64_t seed = from; seed < to; seed++)
+    {
+      NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
+      test(seed);
+      [pool release];
+    }
+  return test_done();
+}
+
 #endif

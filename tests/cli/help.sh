@@ -26,7 +26,7 @@ done
 # What an option takes is in its help: the tool tells its words.
 for name in $names; do
   words=$("$RAYTRACE" "--$name=?" 2>&1 |
-    sed -nE "s/.* takes (one|some) of (.*), (not|with commas).*/\\2/p")
+    sed -nE "s/, (not|with commas) .*//; s/.* takes (one|some) of //p")
   text=$(tr -s ' \n' ' ' <help.txt | sed -E "s/.* --${name}[ =[]/ /; s/ --.*//")
   for word in ${words//,/}; do
     pass "--help says that --$name takes $word" grep -qwe "$word" <<<"$text"

@@ -50,13 +50,35 @@ too_large 1944000000 -o x.exr
 too_large 6804000000 -o x.exr --aov depth,normal,object
 too_large 3888000000 -o x.exr --noise .1
 too_large 2916000000 -o x.exr --max-error .1
-too_large 2916000000 -o x.exr --time-limit .01
+too_large 10692000000 -o x.exr --time-limit 1
 
 # The machine's own memory: pixels that just fit, but not with their file.
 side=$(awk '/^MemTotal/ { print int(sqrt(.97 * $2 * 1024 / 12)) }' /proc/meminfo)
 said=$(timeout 10 "$RAYTRACE" pin.mdl -r "${side}x$side" -o x.exr 2>&1)
 same "$? ${said%%:*}" "4 raytrace" "the machine has less: $said"
 pass "with its number" grep -q "take $((side * side * 24)) bytes" <<<"$said"
+
+# A container's, in a namespace with such a limit.
+in_container()
+{
+  # shellcheck disable=SC2016
+  unshare -m -r bash -c '
+    mount -t tmpfs none /sys/fs/cgroup && mkdir /sys/fs/cgroup/memory &&
+    echo "$2" >/sys/fs/cgroup/"$1" && shift 2 && "$@"' bash "$@"
+}
+if in_container memory.max 1 true 2>/dev/null; then
+  for file in memory.max memory/memory.limit_in_bytes; do
+    said=$(in_container $file 100000000 "$RAYTRACE" pin.mdl -r 9000x9000 \
+      -o x.ppm 2>&1)
+    same "$? ${said#*take }" "4 486000000 bytes, and the program may have \
+100000000 in all" "a container has less: $file"
+  done
+  pass "a container without a limit" in_container memory.max max \
+    "$RAYTRACE" pin.mdl -o x.ppm
+  rm x.ppm
+else
+  skip "a container of one's own needs unshare"
+fi
 
 # From too little to enough.
 odd='' enough=0

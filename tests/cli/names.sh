@@ -50,6 +50,17 @@ for pair in scene.ppm:scene.ppm scene.mdl:link.ppm scene.mdl:hard.png \
 done
 pass "the scene is as it was" cmp scene.ppm scene.mdl
 same "$(grep -c camera scene.mdl)" 1 "and not empty"
+said=$("$RAYTRACE" - -o scene.ppm <scene.ppm 2>&1)
+same "$? $said" "2 raytrace: output 'scene.ppm' is the scene itself" \
+  "on standard input too"
+said=$("$RAYTRACE" scene.mdl -o - 2>&1 >>scene.mdl)
+same "$? $said" "2 raytrace: output '-' is the scene itself" \
+  "and on standard output"
+cp scene.mdl ./-
+"$RAYTRACE" - -o - <scene.mdl >../dash.ppm
+pass "a file of the name - is neither" cmp ../want.ppm ../dash.ppm
+rm ./-
+pass "the scene is as it was" cmp scene.ppm scene.mdl
 status 0 "in canonical form it may be" "$RAYTRACE" scene.mdl --format-scene \
   -o scene.mdl
 pass "and is a scene still" "$RAYTRACE" scene.mdl --check

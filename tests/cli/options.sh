@@ -105,9 +105,10 @@ wrong "option '--polygon-test' takes one of crossings, edges, angles, not \
 wrong "option '--progress' takes one of auto, bar, none, not 'on'" \
   --progress on
 wrong "option '--stats' takes one of none, text, json, not 'xml'" --stats=xml
-for bad in '' 'depth,' ,depth depth,objekt 'depth normal' all; do
+for bad in '' 'depth,' ,depth depth,objekt 'depth normal' all depth,depth \
+  object,depth,object; do
   wrong "option '--aov' takes some of depth, normal, object, error.truncation, with commas \
-between, not '$bad'" --aov "$bad"
+between and each once, not '$bad'" --aov "$bad"
 done
 for flag in check format-scene plan quiet verbose help version; do
   wrong "option '--$flag' takes no value, but got 'yes'" --$flag=yes
@@ -172,7 +173,6 @@ right --crop 0,0,8,6 pin.mdl
 right --crop 7,5,8,6 pin.mdl
 right --aov depth pin.mdl
 right --aov object,depth,normal pin.mdl
-right --aov depth,depth pin.mdl
 right --engine notes pin.mdl
 right --engine fast pin.mdl
 right --isa base pin.mdl
@@ -181,7 +181,7 @@ right --polygon-test crossings pin.mdl
 right --polygon-test edges pin.mdl
 right --polygon-test angles pin.mdl
 right -I . pin.mdl
-right -I none --include-path=.. pin.mdl
+right -I . --include-path=.. pin.mdl
 right --progress auto pin.mdl
 right --progress none pin.mdl
 right --stats=none pin.mdl

@@ -74,6 +74,11 @@ pass "the plan says what a picture takes" grep -qE '^memory    [0-9]+ bytes for'
 ' the scene, 144 for a picture of 8 bits, 576 for an \.exr$' plan.txt
 line "rays      about 48: 48 eye, 0 reflection, 0 refraction, 0 feeler"
 line "threads   3, instructions base"
+pass "the largest picture is planned as soon" timeout 20 "$RAYTRACE" --plan \
+  good.mdl -r 1000000x1000000
+same "$("$RAYTRACE" --plan good.mdl -r 1000000x1000000 | grep ^rays)" \
+  "rays      about 1e+12: 1e+12 eye, 0 reflection, 0 refraction, 0 feeler" \
+  "from a part of it"
 
 # Where included files are looked for
 mkdir parts
@@ -84,7 +89,12 @@ echo 'material paint { ambient 1 1 1 }' >parts/paint.inc
 } >user.mdl
 status 3 "an included file is not found" "$RAYTRACE" --check user.mdl
 pass "-I finds it" "$RAYTRACE" -I parts --check user.mdl
-pass "so does the second of two" "$RAYTRACE" -I none -I parts --check user.mdl
+pass "so does the second of two" "$RAYTRACE" -I . -I parts --check user.mdl
+says 4 "raytrace: cannot include from 'none': No such file or directory" \
+  --check -I parts -I none user.mdl
+says 4 "raytrace: cannot include from 'good.mdl': Not a directory" \
+  -I good.mdl good.mdl -o x.exr
+pass "no file is made" test ! -e x.exr
 
 # Pipes and standard input
 says 0 "" --check - <good.mdl

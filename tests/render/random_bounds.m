@@ -88,14 +88,5 @@ scene(uint64_t seed)
 int
 main(int count, char **words)
 {
-  uint64_t from = count > 1 ? strtoull(words[1], NULL, 10) : 0;
-  uint64_t to = count > 2 ? strtoull(words[2], NULL, 10) : RANDOM_SCENES;
-
-  for (uint64_t seed = from; seed < to; seed++)
-    {
-      NSAutoreleasePool *pool = [[NSAutoreleasePool alloc] init];
-      scene(seed);
-      [pool release];
-    }
-  return test_done();
+  return random_main(count, words, scene);
 }

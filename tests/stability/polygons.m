@@ -448,9 +448,9 @@ test_G06(void)
   battery_run_share("G06 slivers", run_G06, 10, 1);
   for (unsigned w = 0; w < 3; w++)
     {
-      PASS(sliver_normal[w] <= tolerance[w],
-           "G06 normal of a sliver of width %g: off by %.2g, at most %g",
-           widths[w], sliver_normal[w], tolerance[w]);
+      PASS_NEAR(sliver_normal[w], 0, tolerance[w],
+                "G06 normal of a sliver of width %g: off by %.2g, at most %g",
+                widths[w], sliver_normal[w], tolerance[w]);
     }
 }
 
@@ -704,8 +704,8 @@ main(void)
   battery_run_share("G05 fan", run_G05, 10, 1);
   test_G06();
   battery_run_share("G07 first three in a line", run_G07, 10, 1);
-  PASS(g07_worst <= 4 * U, "G07 normal: off by %.2g u, at most 4 u",
-       g07_worst / U);
+  PASS_NEAR(g07_worst, 0, 4 * U, "G07 normal: off by %.2g u, at most 4 u",
+            g07_worst / U);
   test_G08();
   test_G09();
   test_G10();
