@@ -176,6 +176,31 @@ exact(void)
        "one that is lighter is not");
 }
 
+/** Weights that are infinite, of a colour that nothing in the scene has: their
+    part of the error is none, and not no number. */
+static void
+infinite(void)
+{
+  static const char *const speculars[] = {
+    "1e120 0 0", "0 1e120 0", "0 0 1e120"
+  };
+
+  for (unsigned channel = 0; channel < 3; channel++)
+    {
+      model_t *model = support_model
+        (WINDOW "material m { specular %s }\n"
+         "plane far { material m normal 0 0 1 point 0 0 -4 }\n"
+         "plane near { material m normal 0 0 -1 point 0 0 10 }\n",
+         speculars[channel]);
+      double most;
+      cut_model(model, 5, -1, -1, 9);
+      image_t *image = agreed(model, "infinite");
+      unsigned broken = cut_broken(image, image, &most);
+      PASS(broken == 0 && most == 0, "channel %u: infinite weight of nothing"
+           " is %g, not in %u pixels", channel, most, broken);
+    }
+}
+
 /** The table against its closed form: a mirror of 3/4 that gives 2 of its own:
     2 (1 - k^(g+1)) / (1 - k). */
 static void
@@ -196,6 +221,23 @@ table(void)
     }
   PASS(b->count < 200, "it ends where it does not grow any more");
   PASS(b->most[9].rest.y == 0, "nothing of what is not lit");
+}
+
+/** A light half a unit from a surface, of every falloff. */
+static void
+falloffs(void)
+{
+  for (int falloff = 0; falloff <= 2; falloff++)
+    {
+      model_t *model = support_model
+        (WINDOW "light l { location 4 3 .5 emissivity 3 3 3 falloff %d }\n"
+         "material m { diffuse 1 1 1 }\n"
+         "sphere s { material m center 4 3 -1 radius 1 }\n", falloff);
+      brightest_t *b = [[[brightest_t alloc] initWithModel: model
+                                               generations: 0] autorelease];
+      PASS_NEAR(b->most[0].rest.x, 3 * (1 << falloff), 1e-6,
+                "a light that is near, falloff %d", falloff);
+    }
 }
 
 /** How near a light is to each shape. */
@@ -231,7 +273,9 @@ main(void)
   nothing_cut();
   plain();
   exact();
+  infinite();
   table();
+  falloffs();
   distances();
   [pool release];
   return test_done();
