@@ -167,6 +167,12 @@ exact(void)
   image_t *image = agreed(model, "half mirror");
   PASS_NEAR(image->planes[PLANE_TRUNCATION][0], 0.5, 1e-8,
             "all that is missing is told, and no more");
+  struct render_options options = support_render_options();
+  options.noise = 0.1;
+  options.max_samples = 64;
+  image = cut_picture(model, support_fast(model, nil), options, NULL);
+  PASS_NEAR(image->planes[PLANE_TRUNCATION][0], 0.5, 1e-8,
+            "with --noise it is the mean of the rays' too");
   model->cut.min_weight = 0.5;
   model->max_depth = 1;
   PASS(agreed(model, "weight")->planes[PLANE_TRUNCATION][0] == 0,
@@ -174,6 +180,30 @@ exact(void)
   model->cut.min_weight = nextafter(0.5, 1);
   PASS(agreed(model, "weight")->planes[PLANE_TRUNCATION][0] > 0,
        "one that is lighter is not");
+}
+
+/** Between two mirrors, straight to and fro, with a light on the way: each
+    generation adds all that it can, so a bound that is any smaller is broken. */
+static void
+tight(void)
+{
+  model_t *model = support_model
+    ("camera c { pixeldim 1 1 worlddim 2 2 viewpoint 1 1 3 }\n"
+     "light l { location 1 1 2 emissivity 2 2 2 falloff 0 }\n"
+     "material m { diffuse .5 .5 .5 specular .75 .75 .75 }\n"
+     "plane far { material m normal 0 0 1 point 0 0 -4 }\n"
+     "plane near { material m normal 0 0 -1 point 0 0 10 }\n");
+
+  model->max_depth = DEEP;
+  image_t *deep = picture(model, support_fast(model, nil));
+  for (unsigned depth = 0; depth < DEEP; depth++)
+    {
+      cut_model(model, depth, -1, -1, DEEP);
+      image_t *image = agreed(model, "tight");
+      double off = deep->pixels->color.x - image->pixels->color.x;
+      PASS_NEAR(image->planes[PLANE_TRUNCATION][0], off, 1e-8 * off,
+                "tight: depth %u, what is told is what is missing", depth);
+    }
 }
 
 /** Weights that are infinite, of a colour that nothing in the scene has: their
@@ -240,6 +270,23 @@ falloffs(void)
     }
 }
 
+/** What three lights leave in shadow. */
+static void
+shadows(void)
+{
+  model_t *model = support_model
+    (WINDOW "light k { location 1 1 5 emissivity 0 0 0 }\n"
+     "light l { location 4 1 5 emissivity 0 0 0 }\n"
+     "light m { location 7 1 5 emissivity 0 0 0 }\n"
+     "material m { ambient 2 0 0 }\n"
+     "sphere s { material m center 4 3 -1 radius 1 }\n");
+  brightest_t *b = [[[brightest_t alloc] initWithModel: model
+                                           generations: 0] autorelease];
+
+  PASS_NEAR(b->most[0].ambient.x, 2 * (1 + 3 * 0.1), 1e-15,
+            "ambient, and a tenth of it for each light");
+}
+
 /** How near a light is to each shape. */
 static void
 distances(void)
@@ -273,9 +320,11 @@ main(void)
   nothing_cut();
   plain();
   exact();
+  tight();
   infinite();
   table();
   falloffs();
+  shadows();
   distances();
   [pool release];
   return test_done();
