@@ -41,7 +41,7 @@ for name in still-life depth-of-field; do
         noisy++; held += most[i] <= h[i] + 0.0001 }
       print held / noisy, noisy }' errors -)"
   pass "$name: intervals hold $held of $noisy noisy pixels" \
-    awk "BEGIN { exit !($noisy > 300 && $held > .88 && $held < .995) }"
+    awk "BEGIN { exit !($noisy > 200 && $held > .88 && $held < .995) }"
 done
 said=$("$RAYTRACE" "$scene" -r 4000x3000 --time-limit 0.001 -o short.ppm 2>&1)
 status 0 "too short is told: $said" grep -q "too short" <<<"$said"
