@@ -359,7 +359,9 @@
   return [image_t bytesOfPixel: [self keep]]
     + (aovs & AOV_SURFACES ? sizeof(struct surface_pixel) : 0)
     + (aovs & AOV_TRUNCATION ? sizeof(double) : 0)
-    + (aovs & AOV_SAMPLING ? 2 * sizeof(double) : 0)
+    + (aovs & AOV_SAMPLING ? sizeof(double) : 0)
+    + (aovs & AOV_SAMPLES ? sizeof(double) : 0)
+    + (isTimed ? sizeof(struct timed_pixel) : 0)
     + (options->format == FORMAT_EXR
        ? sizeof(float) * exr_channels(found, aovs)
        : 3);            // a byte each
@@ -414,6 +416,7 @@
     {
       return NO;
     }
+  isTimed = settings->time_limit > 0;
   if (![self hasRoomFor: window error: error])
     {
       return NO;
@@ -430,7 +433,6 @@
     {
       return NO;
     }
-  isTimed = settings->time_limit > 0;
   if ((settings->noise > 0 || isTimed)
       && ![image addPlane: PLANE_SAMPLING error: error])
     {
