@@ -109,8 +109,8 @@ cut_most(const struct cut_rule *rule, unsigned depth, double dis)
   follow = rule->generations - depth;
   m = &rule->most[follow < rule->most_count ? follow : rule->most_count - 1];
   return k_is_zero(m->ambient) ? m->rest
-    : k_add(dis > 0 ? k_div(m->ambient, dis) : k_vec(HUGE_VAL, HUGE_VAL, HUGE_VAL),
-            m->rest);
+    : k_add(dis > 0 ? k_div(m->ambient, dis)
+            : k_vec(HUGE_VAL, HUGE_VAL, HUGE_VAL), m->rest);
 }
 
 /** The largest channel of weight times most; a little more, for what has been

@@ -87,8 +87,8 @@ struct render_options
 
 /** Passes over the whole picture until the time is up: the picture of one ray
     through the point of each pixel, and then as many rays through each as there
-    is time for, more at once the more there are: those of options.samples (and exposure 1) of that number, to
-    the last bit. A pass that is not complete does not count; of the first one
+    is time for, more at once the more there are: those of options.samples (and
+    exposure 1) of that number, to the last bit. A pass that is not complete does not count; of the first one
     the missing tiles are filled from those beside them. */
 - (void) runTimed;
 
