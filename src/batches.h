@@ -16,8 +16,8 @@
     spread the more they are. */
 enum { BATCHES = 4 };
 
-/** What variances are worth, in degrees of freedom: one more than those of the
-    batches, and as many as three times theirs for what was expected. */
+/** What variances are worth, in degrees of freedom: those of the batches, and
+    three times as many for what was expected (batches_moderate). */
 enum { BATCHES_FREEDOM = 4 * (BATCHES - 1) };
 
 /** The rays that each batch begins with for an error of at most `limit`: so

@@ -109,20 +109,20 @@ cut_most(const struct cut_rule *rule, unsigned depth, double dis)
   follow = rule->generations - depth;
   m = &rule->most[follow < rule->most_count ? follow : rule->most_count - 1];
   return k_is_zero(m->ambient) ? m->rest
-    : k_add(dis > 0 ? k_div(m->ambient, dis) : k_vec(HUGE_VAL, HUGE_VAL, HUGE_VAL),
-            m->rest);
+    : k_add(dis > 0 ? k_div(m->ambient, dis)
+            : k_vec(HUGE_VAL, HUGE_VAL, HUGE_VAL), m->rest);
 }
 
-/** The largest channel of weight times most, where no weight of anything is
-    nothing; a little more, for what has been rounded. */
+/** The largest channel of weight times most; a little more, for what has been
+    rounded. Nothing of something infinite is nothing: k_max2 leaves its first
+    number out when it is none. */
 static inline double
 cut_loss(struct k_vec weight, struct k_vec most)
 {
-  double x = weight.x == 0 ? 0 : weight.x * most.x;
-  double y = weight.y == 0 ? 0 : weight.y * most.y;
-  double z = weight.z == 0 ? 0 : weight.z * most.z;
+  double z = k_max2(weight.z * most.z, 0);
+  double y = k_max2(weight.y * most.y, z);
 
-  return (1 + 0x1p-30) * k_max2(x, k_max2(y, z));
+  return (1 + 0x1p-30) * k_max2(weight.x * most.x, y);
 }
 
 /** Both branches of a ray that has hit something at the end of its path

@@ -232,6 +232,11 @@ is_square(uint64_t n)
     {
       return @"options '--crop' and '--explain' exclude each other";
     }
+  if (explains && (settings.noise > 0 || settings.time_limit > 0))
+    {
+      return @"option '--explain' tells of a known number of rays: without"
+        @" '--noise' and '--time-limit'";
+    }
   if (crop[0] != NO_CROP && (crop[0] >= crop[2] || crop[1] >= crop[3]))
     {
       return @"option '--crop' takes X0,Y0,X1,Y1 with X0 < X1 and Y0 < Y1";
@@ -333,7 +338,9 @@ is_square(uint64_t n)
   for (const struct option *o = option_table; o->name; o++)
     {
       NSString *value = o->is_shaping ? option_value(o, &settings) : nil;
-      if (value)
+      // --noise is refused beside it.
+      BOOL is_found = settings.noise > 0 && strcmp(o->name, "samples") == 0;
+      if (value && !is_found)
         {
           [words addObject: option_name(o)];
           if (o->kind != OPTION_FLAG)

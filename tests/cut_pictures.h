@@ -18,6 +18,11 @@ cut_picture(model_t *model, id <engine_t> engine,
   render_t *render;
 
   [image addPlane: PLANE_TRUNCATION error: NULL];
+  if (options.noise > 0)
+    {
+      [image addPlane: PLANE_SAMPLING error: NULL];
+      [image addPlane: PLANE_SAMPLES error: NULL];
+    }
   render = [[render_t alloc] init: engine camera: model->camera into: image
                           options: options];
   [render run];

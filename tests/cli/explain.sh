@@ -67,6 +67,11 @@ wrong "option '--explain' takes X,Y, whole numbers from 0 to 1000000, not '1'" \
   pin.mdl --explain 1
 wrong "option '--explain' tells of at most 4096 rays, and the pixel has 4097: \
 give smaller --samples or --exposure" pin.mdl --explain 0,0 --samples 4097
+for option in '--noise .1' '--time-limit .01'; do
+  # shellcheck disable=SC2086
+  wrong "option '--explain' tells of a known number of rays: without '--noise' \
+and '--time-limit'" pin.mdl --explain 0,0 $option
+done
 wrong "options '--crop' and '--explain' exclude each other" \
   pin.mdl --explain 0,0 --crop 0,0,1,1
 test_done

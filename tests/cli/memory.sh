@@ -49,6 +49,7 @@ too_large 486000000 -o x.png
 too_large 1944000000 -o x.exr
 too_large 6804000000 -o x.exr --aov depth,normal,object
 too_large 3888000000 -o x.exr --noise .1
+too_large 10692000000 -o x.exr --time-limit 1
 too_large 2916000000 -o x.exr --max-error .1
 too_large 10692000000 -o x.exr --time-limit 1
 

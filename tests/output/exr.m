@@ -320,6 +320,37 @@ test_noise(void)
   PASS(wrong == 0, "noise is read back: %u pixels are not", wrong);
 }
 
+/** The float of a bound is the least that is not below it. */
+static void
+test_bounds(void)
+{
+  struct support_random random = support_seed(2);
+  struct reading reading = { 0 };
+  image_t *image = sample_image();
+  unsigned wrong = 0;
+
+  [image addPlane: PLANE_TRUNCATION error: NULL];
+  double *bounds = image->planes[PLANE_TRUNCATION];
+  for (unsigned i = 0; i < WIDTH * HEIGHT; i++)
+    {
+      bounds[i] = i == 0 ? HUGE_VAL : i == 1 ? 0.5
+        : support_unit(&random) * exp2(i % 40 - 20.0);
+    }
+  NSData *bytes = [exr_t fileOf: image aovs: AOV_TRUNCATION attributes: nil
+                          error: NULL];
+  PASS(start(&reading, bytes) && read_pixels(&reading), "bounds are read back");
+  for (unsigned i = 0; i < WIDTH * HEIGHT; i++)
+    {
+      float bound;
+      memcpy(&bound, &reading.values[3][i / WIDTH][i % WIDTH], sizeof bound);
+      wrong += i == 0 ? bound != FLT_MAX
+        : !(bound >= bounds[i] && nextafterf(bound, 0) < bounds[i]);
+    }
+  exr_finish(&reading.file);
+  PASS(wrong == 0, "none is below what it was, nor above by more than a"
+       " rounding: %u", wrong);
+}
+
 int
 main(void)
 {
@@ -348,6 +379,7 @@ main(void)
   test_aovs(image);
   free(reading);
   test_noise();
+  test_bounds();
   [pool release];
   return test_done();
 }

@@ -167,6 +167,12 @@ exact(void)
   image_t *image = agreed(model, "half mirror");
   PASS_NEAR(image->planes[PLANE_TRUNCATION][0], 0.5, 1e-8,
             "all that is missing is told, and no more");
+  struct render_options options = support_render_options();
+  options.noise = 0.1;
+  options.max_samples = 64;
+  image = cut_picture(model, support_fast(model, nil), options, NULL);
+  PASS_NEAR(image->planes[PLANE_TRUNCATION][0], 0.5, 1e-8,
+            "with --noise it is the mean of the rays' too");
   model->cut.min_weight = 0.5;
   model->max_depth = 1;
   PASS(agreed(model, "weight")->planes[PLANE_TRUNCATION][0] == 0,
@@ -174,6 +180,55 @@ exact(void)
   model->cut.min_weight = nextafter(0.5, 1);
   PASS(agreed(model, "weight")->planes[PLANE_TRUNCATION][0] > 0,
        "one that is lighter is not");
+}
+
+/** Between two mirrors, straight to and fro, with a light on the way: each
+    generation adds all that it can, so a bound that is any smaller is broken. */
+static void
+tight(void)
+{
+  model_t *model = support_model
+    ("camera c { pixeldim 1 1 worlddim 2 2 viewpoint 1 1 3 }\n"
+     "light l { location 1 1 2 emissivity 2 2 2 falloff 0 }\n"
+     "material m { diffuse .5 .5 .5 specular .75 .75 .75 }\n"
+     "plane far { material m normal 0 0 1 point 0 0 -4 }\n"
+     "plane near { material m normal 0 0 -1 point 0 0 10 }\n");
+
+  model->max_depth = DEEP;
+  image_t *deep = picture(model, support_fast(model, nil));
+  for (unsigned depth = 0; depth < DEEP; depth++)
+    {
+      cut_model(model, depth, -1, -1, DEEP);
+      image_t *image = agreed(model, "tight");
+      double off = deep->pixels->color.x - image->pixels->color.x;
+      PASS_NEAR(image->planes[PLANE_TRUNCATION][0], off, 1e-8 * off,
+                "tight: depth %u, what is told is what is missing", depth);
+    }
+}
+
+/** Weights that are infinite, of a colour that nothing in the scene has: their
+    part of the error is none, and not no number. */
+static void
+infinite(void)
+{
+  static const char *const speculars[] = {
+    "1e120 0 0", "0 1e120 0", "0 0 1e120"
+  };
+
+  for (unsigned channel = 0; channel < 3; channel++)
+    {
+      model_t *model = support_model
+        (WINDOW "material m { specular %s }\n"
+         "plane far { material m normal 0 0 1 point 0 0 -4 }\n"
+         "plane near { material m normal 0 0 -1 point 0 0 10 }\n",
+         speculars[channel]);
+      double most;
+      cut_model(model, 5, -1, -1, 9);
+      image_t *image = agreed(model, "infinite");
+      unsigned broken = cut_broken(image, image, &most);
+      PASS(broken == 0 && most == 0, "channel %u: infinite weight of nothing"
+           " is %g, not in %u pixels", channel, most, broken);
+    }
 }
 
 /** The table against its closed form: a mirror of 3/4 that gives 2 of its own:
@@ -196,6 +251,40 @@ table(void)
     }
   PASS(b->count < 200, "it ends where it does not grow any more");
   PASS(b->most[9].rest.y == 0, "nothing of what is not lit");
+}
+
+/** A light half a unit from a surface, of every falloff. */
+static void
+falloffs(void)
+{
+  for (int falloff = 0; falloff <= 2; falloff++)
+    {
+      model_t *model = support_model
+        (WINDOW "light l { location 4 3 .5 emissivity 3 3 3 falloff %d }\n"
+         "material m { diffuse 1 1 1 }\n"
+         "sphere s { material m center 4 3 -1 radius 1 }\n", falloff);
+      brightest_t *b = [[[brightest_t alloc] initWithModel: model
+                                               generations: 0] autorelease];
+      PASS_NEAR(b->most[0].rest.x, 3 * (1 << falloff), 1e-6,
+                "a light that is near, falloff %d", falloff);
+    }
+}
+
+/** What three lights leave in shadow. */
+static void
+shadows(void)
+{
+  model_t *model = support_model
+    (WINDOW "light k { location 1 1 5 emissivity 0 0 0 }\n"
+     "light l { location 4 1 5 emissivity 0 0 0 }\n"
+     "light m { location 7 1 5 emissivity 0 0 0 }\n"
+     "material m { ambient 2 0 0 }\n"
+     "sphere s { material m center 4 3 -1 radius 1 }\n");
+  brightest_t *b = [[[brightest_t alloc] initWithModel: model
+                                           generations: 0] autorelease];
+
+  PASS_NEAR(b->most[0].ambient.x, 2 * (1 + 3 * 0.1), 1e-15,
+            "ambient, and a tenth of it for each light");
 }
 
 /** How near a light is to each shape. */
@@ -231,7 +320,11 @@ main(void)
   nothing_cut();
   plain();
   exact();
+  tight();
+  infinite();
   table();
+  falloffs();
+  shadows();
   distances();
   [pool release];
   return test_done();

@@ -152,11 +152,16 @@ edge(enum sampler sampler, double limit, double confidence)
        gross);
 }
 
-/** A lamp so small, and so far out of focus, that one ray in 70 meets it: the
-    first rays of most pixels do not, but those of the pixels around tell of it. */
+/** A lamp so small, and so far out of focus, that one ray in 70 meets it, and 20
+    times as bright as what is allowed for: the first rays of most pixels do not,
+    but those of the pixels around tell of it. With few first rays not always:
+    then intervals hold it less often than they say (docs/formulas.md). */
 static void
 lamp(void)
 {
+  const struct { double limit, least, most_missed; } cases[] = {
+    { 0.02, 0.88, 0 }, { 0.1, 0.78, 0.15 }
+  };
   model_t *model = support_model
     ("camera cam { pixeldim 40 40 worlddim 4 4 viewpoint 2 2 8 focus 4 fstop 1.5"
      " exposure 1 aperture disc }\n"
@@ -165,7 +170,6 @@ lamp(void)
   id <engine_t> engine = support_fast(model, nil);
   struct render_options options = support_render_options();
   struct window within = { 14, 14, 26, 26 };
-  unsigned held = 0, missed = 0;
   const unsigned count = 12 * 12, seeds = 6;
 
   options.sampler = SAMPLER_OWEN;
@@ -173,25 +177,31 @@ lamp(void)
   options.seed = 99;
   image_t *reference = part(model, engine, options, within);
   options.samples = 1;
-  options.noise = 0.02;
   options.errors = student_quantile(0.95, BATCHES_FREEDOM);
   options.max_samples = 1 << 20;
-  for (unsigned seed = 0; seed < seeds; seed++)
+  for (unsigned k = 0; k < 2; k++)
     {
-      options.seed = seed;
-      image_t *image = part(model, engine, options, within);
-      for (unsigned i = 0; i < count; i++)
+      double held = 0, missed = 0;
+      options.noise = cases[k].limit;
+      for (unsigned seed = 0; seed < seeds; seed++)
         {
-          double off = fabs(image->pixels[i].color.x
-                            - reference->pixels[i].color.x);
-          held += off <= image->planes[PLANE_SAMPLING][i];
-          missed += image->pixels[i].color.x == 0;
+          options.seed = seed;
+          image_t *image = part(model, engine, options, within);
+          for (unsigned i = 0; i < count; i++)
+            {
+              double off = fabs(image->pixels[i].color.x
+                                - reference->pixels[i].color.x);
+              held += off <= image->planes[PLANE_SAMPLING][i];
+              missed += image->pixels[i].color.x == 0;
+            }
         }
+      held /= count * seeds;
+      missed /= count * seeds;
+      PASS(missed <= cases[k].most_missed, "E %g: %g of the pixels are left"
+           " without a small lamp's light", options.noise, missed);
+      PASS(held > cases[k].least, "E %g: %g of intervals hold it, to be 0.95",
+           options.noise, held);
     }
-  PASS(missed == 0, "no pixel is left without a small lamp's light: %u",
-       missed);
-  PASS(held > 0.88 * count * seeds, "%u of %u intervals hold it, though it is 20"
-       " times as bright as what is allowed for", held, count * seeds);
 }
 
 /** Crops that begin anywhere, and a picture of more rows than have their first

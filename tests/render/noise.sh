@@ -19,6 +19,11 @@ for way in "-j 2" "-j 7" "--engine notes" "--isa base"; do
   render other.exr "${options[@]}"
   pass "$way: the same bytes" cmp one.exr other.exr
 done
+read -ra options <<<"$(strings one.exr | grep -o -- '^--resolution.*')"
+options[-1]=${options[-1]%raytrace:*}
+pass "the options that the file states are taken" \
+  "$RAYTRACE" "$scene" -q "${options[@]}" -o other.exr
+pass "and give the same bytes" cmp one.exr other.exr
 render part.ppm --crop 7,3,29,22
 same "$(tail -c 1254 part.ppm | md5sum)" "$(for ((y = 3; y < 22; y++)); do
   tail -c +$((13 + 3 * (40 * y + 7) + 1)) one.ppm | head -c 66
