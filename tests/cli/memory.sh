@@ -51,7 +51,6 @@ too_large 6804000000 -o x.exr --aov depth,normal,object
 too_large 3888000000 -o x.exr --noise .1
 too_large 10692000000 -o x.exr --time-limit 1
 too_large 2916000000 -o x.exr --max-error .1
-too_large 10692000000 -o x.exr --time-limit 1
 
 # The machine's own memory: pixels that just fit, but not with their file.
 side=$(awk '/^MemTotal/ { print int(sqrt(.97 * $2 * 1024 / 12)) }' /proc/meminfo)
