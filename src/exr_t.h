@@ -12,7 +12,8 @@
 //                 little weight, could change of R, G or B
 //   error.sampling
 //                 how far R, G and B may each be from what more and more rays
-//                 would give, at the stated confidence
+//                 would give, at the confidence of the attribute
+//                 raytrace:confidence
 //   samples       uint: the number of rays through the pixel
 //
 // The data window is the part of the picture that is there, the display

@@ -3,6 +3,7 @@
 // prints nothing, except for the bar.
 
 #import "options_t.h"
+#import "render_t.h"
 #import "stats_t.h"
 
 @class brightest_t, diag_t, image_t, model_t, outfile_t;
@@ -44,5 +45,32 @@
 
 /** Writes the picture or, with --format-scene or --plan, that text. */
 - (BOOL) write: (NSError **)error;
+
+@end
+
+@interface job_t (choices)
+
+- (BOOL) explains;
+- (unsigned) threads;
+
+/** The channels of the file beside its colour: a knob that leaves an error
+    brings its own. */
+- (unsigned) aovs;
+
+/** The share of error.sampling's intervals that hold the true colour. */
+- (double) confidence;
+
+- (struct render_options) renderOptions;
+- (struct shade_choice) choice;
+
+/** Tells the model which branches of the ray tree it may do without, and what
+    they might be worth. */
+- (void) setCut;
+
+/** The picture as what is written wants it. */
+- (enum keep) keep;
+
+/** Whether a window's pixels and their file fit into the memory there is. */
+- (BOOL) hasRoomFor: (struct window)w error: (NSError **)error;
 
 @end

@@ -334,13 +334,14 @@ is_square(uint64_t n)
 - (NSString *) pictureOptions
 {
   NSMutableArray *words = [NSMutableArray array];
+  // What would be refused: --noise finds the samples itself, and it alone can
+  // be given again with a confidence.
+  const char *without = settings.noise > 0 ? "samples" : "confidence";
 
   for (const struct option *o = option_table; o->name; o++)
     {
       NSString *value = o->is_shaping ? option_value(o, &settings) : nil;
-      // --noise is refused beside it.
-      BOOL is_found = settings.noise > 0 && strcmp(o->name, "samples") == 0;
-      if (value && !is_found)
+      if (value && strcmp(o->name, without) != 0)
         {
           [words addObject: option_name(o)];
           if (o->kind != OPTION_FLAG)

@@ -122,6 +122,31 @@
   return YES;
 }
 
+/** Shows the colours of a tile of the first pass, whose number is from 1, column
+    by column of the tile, in its place or in one that is missing; 0: black. How
+    far off they are is not known. */
+- (void) show: (unsigned)number at: (unsigned)tile
+{
+  struct window w = [self windowOf: tile];
+  struct window v = number ? [self windowOf: number - 1] : w;
+
+  for (unsigned y = w.y0; y < w.y1; y++)
+    {
+      struct k_vec row[TILE_SIDE] = { { 0, 0, 0 } };
+      for (unsigned x = w.x0; x < w.x1; x++)
+        {
+          unsigned from_x = MIN(v.x0 + (x - w.x0), v.x1 - 1);
+          unsigned from_y = MIN(v.y0 + (y - w.y0), v.y1 - 1);
+          if (number)
+            {
+              row[x - w.x0] = [self timedAt: from_x : from_y]->next;
+            }
+          *[image plane: PLANE_SAMPLING at: x : y] = HUGE_VAL;
+        }
+      [image put: row : w.x1 - w.x0 at: w.x0 : y];
+    }
+}
+
 /** Takes tiles of this pass until none are left or the time is up. */
 - (void) passTiles
 {
@@ -148,7 +173,11 @@
         {
           break;
         }
-      tile_is_there[tile] = 1;
+      if (is_first_pass)
+        {
+          tile_shown[tile] = tile + 1;
+          [self show: tile + 1 at: tile];
+        }
       __atomic_fetch_add(&tiles_done, 1, __ATOMIC_RELAXED);
     }
   [lock lock];
@@ -157,41 +186,50 @@
   [pool release];
 }
 
+/** How many rays through each pixel the next pass has. It never goes past a
+    power of two, so that all of them are met. Many rays of one pixel go alike, so
+    as long as there is time for it, and a quarter more, all up to that; then half
+    of what there is time for, again and again, as the pass that the end of the
+    time cuts off is in vain. */
+- (unsigned) nextStep
+{
+  unsigned up = 2 * (unsigned)halves_most(taken) - taken;
+  double rays = (options.until - clock_seconds()) / pace;
+
+  if (rays > 1.25 * up)
+    {
+      return up;
+    }
+  return (unsigned)MAX(1, MIN(up, rays > taken / 32. ? rays / 2 : rays));
+}
+
 /** One pass of `step` rays; NO if the time was up before it was complete. */
 - (BOOL) onePass
 {
+  double began = clock_seconds();
+
   next_tile = tiles_done = 0;
-  memset(tile_is_there, 0, tile_count);
   [self inThreads: @selector(passTiles)];
   if (tiles_done < tile_count)
     {
       return NO;
     }
   memset(tile_is_added, 0, tile_count);
+  pace = (clock_seconds() - began) / step;
   return YES;
 }
 
-/** The picture of a pass. Tiles that are not there get the colours of the last
-    one before them that is, column by column of the tile; black where there is
-    none. */
-- (void) putTiles
+/** Shows the tiles that the first pass has not come to. */
+- (void) fillTiles
 {
-  unsigned last = 0;
+  unsigned tile;
 
-  for (unsigned tile = 0; tile < tile_count; tile++)
+  while ((tile = __atomic_fetch_add(&next_tile, 1, __ATOMIC_RELAXED))
+         < tile_count)
     {
-      last = tile_is_there[tile] ? tile : last;
-      struct window w = [self windowOf: tile], v = [self windowOf: last];
-      for (unsigned y = w.y0; y < w.y1; y++)
+      if (tile_shown[tile] != tile + 1)
         {
-          struct k_vec row[TILE_SIDE] = { { 0, 0, 0 } };
-          for (unsigned x = w.x0; tile_is_there[last] && x < w.x1; x++)
-            {
-              unsigned from_x = MIN(v.x0 + (x - w.x0), v.x1 - 1);
-              unsigned from_y = MIN(v.y0 + (y - w.y0), v.y1 - 1);
-              row[x - w.x0] = [self timedAt: from_x : from_y]->next;
-            }
-          [image put: row : w.x1 - w.x0 at: w.x0 : y];
+          [self show: tile_shown[tile] at: tile];
         }
     }
 }
@@ -244,7 +282,7 @@
   double share = halves_share(gain) * halves_rest(taken, gain);
   double most = (double)halves_most(taken);
 
-  while ((tile = __atomic_fetch_add(&next_tile, 1, __ATOMIC_RELAXED))
+  while ((tile = __atomic_fetch_add(&next_tile, tile_stride, __ATOMIC_RELAXED))
          < tile_count)
     {
       struct window w = [self windowOf: tile];
@@ -266,32 +304,45 @@
     }
 }
 
+/** Seconds that the end will take: what it takes of a few tiles, which then have
+    their colours again, and half as much for their sums and facts. */
+- (double) endTakes
+{
+  double began = clock_seconds();
+
+  tile_stride = MAX(1, tile_count / 64);
+  next_tile = 0;
+  [self inThreads: @selector(stateTiles)];
+  return 1.5 * tile_stride * (clock_seconds() - began);
+}
+
 - (void) runTimed
 {
-  size_t count = (size_t)[image width] * [image height];
-
-  timed = new_array(count, sizeof *timed);
-  tile_is_there = new_array(tile_count, 1);
+  timed = new_array((size_t)[image width] * [image height], sizeof *timed);
+  tile_shown = new_array(tile_count, sizeof *tile_shown);
   tile_is_added = new_array(tile_count, 1);
-  for (size_t i = 0; i < count; i++)
-    {
-      image->planes[PLANE_SAMPLING][i] = HUGE_VAL;
-    }
   is_first_pass = YES;
   step = 1;
-  BOOL is_complete = [self onePass];
-  [self putTiles];
-  if (!is_complete)
+  if (![self onePass])
     {
+      for (unsigned tile = 1; tile < tile_count; tile++)
+        {
+          tile_shown[tile] = tile_shown[tile] ? tile_shown[tile]
+            : tile_shown[tile - 1];
+        }
+      next_tile = 0;
+      [self inThreads: @selector(fillTiles)];
       return;
     }
   is_first_pass = NO;
-  while (taken < UINT32_MAX - step && [self onePass])
+  while (taken <= INT32_MAX && [self onePass])
     {
       taken += step;
-      // A power of two, so that all of them are met; the last pass, which may be
-      // in vain, is less than a sixteenth of all.
-      step = taken < 32 ? 1 : (unsigned)halves_most(taken) / 16;
+      if (taken == 2)
+        {
+          options.until -= [self endTakes];
+        }
+      step = [self nextStep];
     }
   // Two rays are the least that are a picture of many.
   if (taken < 2)
@@ -303,6 +354,7 @@
   next_tile = 0;
   [self inThreads: @selector(addTiles)];
   next_tile = 0;
+  tile_stride = 1;
   [self inThreads: @selector(stateTiles)];
 }
 

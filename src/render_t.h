@@ -53,13 +53,16 @@ struct render_options
   unsigned tile_count, tiles_across;    // of it
   unsigned all_tiles;           // of the image
   unsigned next_tile, tiles_done;       // atomic
+  unsigned tile_stride;         // timed only: each so many-th is stated
   NSLock *lock;                 // of counters
   struct pilots pilots;         // adaptive only
   struct timed_pixel *timed;    // timed only
-  unsigned char *tile_is_there; // whether the pass under way has it
+  unsigned *tile_shown;         // the number, from 1, of that whose colours of
+                                // the first pass it shows
   unsigned char *tile_is_added; // whether its sums have the pass before
   unsigned taken;               // rays through each pixel, in complete passes
   unsigned step;                // in the pass under way
+  double pace;                  // seconds of the pass before, by its step
   BOOL is_first_pass;           // through the pixels' points: never in the sums
 }
 
@@ -90,7 +93,7 @@ struct render_options
     is time for, more at once the more there are: those of options.samples (and
     exposure 1) of that number, to the last bit. A pass that is not complete
     does not count; of the first one the missing tiles are filled from those
-    beside them. */
+    beside them. To state the errors is part of the time, once there are two. */
 - (void) runTimed;
 
 /** How many rays each pixel has got; 0: not even one each. */

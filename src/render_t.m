@@ -45,7 +45,7 @@
   [lock release];
   free(pilots.at);
   free(timed);
-  free(tile_is_there);
+  free(tile_shown);
   free(tile_is_added);
   [super dealloc];
 }

@@ -178,8 +178,6 @@ main(int argc, char **argv)
   options.samples = 1;
   options.errors = student_quantile(0.95, BATCHES_FREEDOM);
   options.max_samples = 1 << 20;
-  printf("%-10s %6s %11s %8s %8s %7s %10s %7s\n", "E", "noisy", "reached",
-         "covered", "stated", "within", "rays", "random");
   for (int k = 6; k < argc; k++)
     {
       struct sums sums = { .rays = 0 };
@@ -193,10 +191,12 @@ main(int argc, char **argv)
           compare(image, reference, variance, options.noise, &sums);
           [image release];
         }
-      printf("%-10g %6.3f %5.3f-%5.3f %8.4f %8.4f %7.3f %10.0f %7.2f\n",
-             options.noise, sums.counted[0] / pixels, sums.least, sums.most,
-             sums.covered[0] / fmax(sums.counted[0], 1),
-             sums.covered[1] / fmax(sums.counted[1], 1), sums.within / seeds,
+      printf("| %g | %.0f %% | %.3f-%.3f | %.1f %% | %.1f %% | %.0f %% | %.0f"
+             " | %.2f |\n",
+             options.noise, 100 * sums.counted[0] / pixels, sums.least,
+             sums.most, 100 * sums.covered[0] / fmax(sums.counted[0], 1),
+             100 * sums.covered[1] / fmax(sums.counted[1], 1),
+             100 * sums.within / seeds,
              sums.rays / seeds, grain / (sums.squares / seeds)
              * (pixels / seeds) / (sums.rays / seeds));
     }

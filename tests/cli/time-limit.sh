@@ -43,6 +43,15 @@ for name in still-life depth-of-field; do
   pass "$name: intervals hold $held of $noisy noisy pixels" \
     awk "BEGIN { exit !($noisy > 200 && $held > .88 && $held < .995) }"
 done
+"$RAYTRACE" "$scene" -q -r 40x30 --time-limit 0.05 --confidence 0.875 \
+  -o sure.exr
+pass "the confidence is in the file" grep -qa '0\.875raytrace:' sure.exr
+read -ra options <<<"$(strings sure.exr | grep -o -- '--samples.*')"
+options[-1]=${options[-1]%raytrace:*}
+pass "the options that the file states are taken: ${options[*]}" \
+  "$RAYTRACE" "$scene" -q -r 40x30 "${options[@]}" -o again.exr
+same "$(colors again.exr | md5sum)" "$(colors sure.exr | md5sum)" \
+  "and give the same colours"
 said=$("$RAYTRACE" "$scene" -r 4000x3000 --time-limit 0.001 -o short.ppm 2>&1)
 status 0 "too short is told: $said" grep -q "too short" <<<"$said"
 pass "and the picture is whole" test "$(wc -c <short.ppm)" -gt 36000000
