@@ -51,6 +51,7 @@
     .seed = settings->seed,
     .until = settings->time_limit > 0 ? clock_seconds() + settings->time_limit
       : 0,
+    .grace = MIN(0.05, settings->time_limit / 2),
     .samples = (unsigned)settings->samples,
     .sampler = (enum sampler)settings->sampler,
     .noise = settings->noise,

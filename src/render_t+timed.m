@@ -36,7 +36,7 @@
     {
       at[i]->next = k_add(at[i]->next, rays[i].color);
     }
-  return clock_seconds() <= options.until;
+  return clock_seconds() <= options.until + (is_first_pass ? 0 : options.grace);
 }
 
 /** A block of a tile: `step` rays through each pixel, after those it has; NO if
@@ -188,19 +188,20 @@
 
 /** How many rays through each pixel the next pass has. It never goes past a
     power of two, so that all of them are met. Many rays of one pixel go alike, so
-    as long as there is time for it, and a quarter more, all up to that; then half
+    as long as there is time for it, and a tenth more, all up to that; then half
     of what there is time for, again and again, as the pass that the end of the
-    time cuts off is in vain. */
+    time cuts off is in vain. 0: no time is left. */
 - (unsigned) nextStep
 {
   unsigned up = 2 * (unsigned)halves_most(taken) - taken;
-  double rays = (options.until - clock_seconds()) / pace;
+  double left = options.until - clock_seconds(), rays = left / pace;
 
-  if (rays > 1.25 * up)
+  if (left + options.grace > 1.1 * up * pace)
     {
       return up;
     }
-  return (unsigned)MAX(1, MIN(up, rays > taken / 32. ? rays / 2 : rays));
+  return left <= 0 ? 0
+    : (unsigned)MAX(1, MIN(up, rays > taken / 32. ? rays / 2 : rays));
 }
 
 /** One pass of `step` rays; NO if the time was up before it was complete. */
@@ -335,7 +336,7 @@
       return;
     }
   is_first_pass = NO;
-  while (taken <= INT32_MAX && [self onePass])
+  while (step && taken <= INT32_MAX && [self onePass])
     {
       taken += step;
       if (taken == 2)

@@ -37,7 +37,9 @@ struct render_options
   double errors;        // such an error is this many standard errors
   unsigned max_samples; // or no more than so many rays
   double until;         // above 0: passes of one ray through each pixel until
-                        // this time of clock_seconds()
+                        // this time of clock_seconds(), and
+  double grace;         // so many seconds after it, if that is worth it: a power
+                        // of two is much better than a few rays less
 };
 
 @interface render_t : NSObject
