@@ -59,8 +59,8 @@ byte_of(double c)
       if (error)
         {
           *error = error_saying(STATUS_FILE, @"not enough memory for %u x %u "
-                                @"pixels: they take %.0f bytes, and the program "
-                                @"may have %.0f in all",
+                                @"pixels: they take %.0f bytes, and the "
+                                @"program may have %.0f in all",
                                 [self width], [self height], needed, memory);
         }
       [self release];

@@ -89,7 +89,8 @@ const struct option option_table[] = {
     .is_shaping = YES,
     .help = "trace only as many of them, and send only as many feelers, as it"
             " takes for no channel of a pixel to be off by more than E from the"
-            " picture of 20 generations, or of --max-depth; writes error.truncation too" },
+            " picture of 20 generations, or of --max-depth; writes error.truncation"
+            " too" },
   { .name = "fresnel", .value = "WORD", .kind = OPTION_WORD,
     .offset = AT(fresnel), .words = "schlick exact", .is_shaping = YES,
     .help = "how much clear surfaces reflect: schlick, the notes'"

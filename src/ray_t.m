@@ -222,8 +222,8 @@
   return is_lit;
 }
 
-/** Whether a ray that would be spawned is not wanted, or not worth it; if not, *branch is
-    what it is as a branch. */
+/** Whether a ray that would be spawned is not wanted, or not worth it; if not,
+    *branch is what it is as a branch. */
 - (BOOL) cuts: (enum cut_which)which of: (struct cut_pair *)pair
            in: (model_t *)model as: (struct cut *)branch
 {

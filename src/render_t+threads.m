@@ -65,7 +65,7 @@ work_in_thread(void *given)
     }
   if (started == 0)
     {
-      [self performSelector: work];     // no thread is to be had: then in this one
+      [self performSelector: work];     // without a thread, in this one
     }
   while (started)
     {

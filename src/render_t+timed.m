@@ -23,8 +23,8 @@
   return timed + image_at(image, x, y);
 }
 
-/** Traces rays and adds each colour to its pixel, in order; NO if the time is up
-    then. */
+/** Traces rays and adds each colour to its pixel, in order; NO if the time is
+    up then. */
 - (BOOL) trace: (const struct sample *)samples : (unsigned)n
            into: (struct timed_pixel **)at counters: (struct counters *)count
 {
@@ -122,9 +122,9 @@
   return YES;
 }
 
-/** Shows the colours of a tile of the first pass, whose number is from 1, column
-    by column of the tile, in its place or in one that is missing; 0: black. How
-    far off they are is not known. */
+/** Shows the colours of a tile of the first pass, whose number is from 1, in
+    its place or, column by column, in one that is missing; 0: black. How far
+    off they are is not known. */
 - (void) show: (unsigned)number at: (unsigned)tile
 {
   struct window w = [self windowOf: tile];
@@ -187,10 +187,10 @@
 }
 
 /** How many rays through each pixel the next pass has. It never goes past a
-    power of two, so that all of them are met. Many rays of one pixel go alike, so
-    as long as there is time for it, and a tenth more, all up to that; then half
-    of what there is time for, again and again, as the pass that the end of the
-    time cuts off is in vain. 0: no time is left. */
+    power of two, so that all of them are met. Many rays of one pixel go alike,
+    so as long as there is time for it, and a tenth more, all up to that; then
+    half of what there is time for, again and again, as the pass that the end of
+    the time cuts off is in vain. 0: no time is left. */
 - (unsigned) nextStep
 {
   unsigned up = 2 * (unsigned)halves_most(taken) - taken;
@@ -250,9 +250,9 @@
     }
 }
 
-/** The variance of the pixel's mean, of each channel, as its halves and those of
-    the pixels around say; `most` rays are in both, and `share` is what the square
-    of their difference is worth. */
+/** The variance of the pixel's mean, of each channel, as its halves and those
+    of the pixels around say; `most` rays are in both, and `share` is what the
+    square of their difference is worth. */
 - (struct k_vec) varianceAt: (unsigned)x : (unsigned)y most: (double)most
                       share: (double)share
 {
@@ -305,8 +305,8 @@
     }
 }
 
-/** Seconds that the end will take: what it takes of a few tiles, which then have
-    their colours again, and half as much for their sums and facts. */
+/** Seconds that the end will take: what it takes of a few tiles, which get
+    their colours again at the end, and half as much for their sums and facts. */
 - (double) endTakes
 {
   double began = clock_seconds();

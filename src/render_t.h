@@ -22,7 +22,7 @@ struct timed_pixel
 {
   struct k_vec sum;             // of the colours of complete passes
   struct k_vec next;            // and of the pass under way
-  struct k_vec half, whole;     // of 2^(k-1) rays and of 2^k, the most there are
+  struct k_vec half, whole;     // of the first 2^(k-1) and 2^k, the most it has
 };
 
 struct render_options
@@ -38,8 +38,8 @@ struct render_options
   unsigned max_samples; // or no more than so many rays
   double until;         // above 0: passes of one ray through each pixel until
                         // this time of clock_seconds(), and
-  double grace;         // so many seconds after it, if that is worth it: a power
-                        // of two is much better than a few rays less
+  double grace;         // so many seconds after it, if that is worth it: a
+                        // power of two is much better than a few rays less
 };
 
 @interface render_t : NSObject
