@@ -43,7 +43,7 @@ for name in still-life depth-of-field; do
   pass "$name: intervals hold $held of $noisy noisy pixels" \
     awk "BEGIN { exit !($noisy > 200 && $held > .88 && $held < .995) }"
 done
-"$RAYTRACE" "$scene" -q -r 40x30 --time-limit 0.05 --confidence 0.875 \
+"$RAYTRACE" "$scene" -q -r 40x30 --time-limit 0.3 --confidence 0.875 \
   -o sure.exr
 pass "the confidence is in the file" grep -qa '0\.875raytrace:' sure.exr
 read -ra options <<<"$(strings sure.exr | grep -o -- '--samples.*')"
